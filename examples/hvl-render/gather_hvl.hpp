@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <zonal/gather/virtual_light.hpp>
+#include <zonal/material/material_table.hpp>
+
+#include "options.hpp"
+#include "ray_caster.hpp"
+
+namespace hvl_render {
+
+/// The sum over all virtual lights, its numbers of bands fixed when it was made. Safe to use from many
+/// threads.
+class Gatherer {
+ public:
+  Gatherer() = default;
+  virtual ~Gatherer() = default;
+  Gatherer(const Gatherer&) = delete;
+  Gatherer& operator=(const Gatherer&) = delete;
+
+  /// Indirect radiance that leaves `hit` towards the unit direction `outgoing`.
+  virtual glm::vec3 indirect_radiance(const Hit& hit, const glm::vec3& outgoing,
+                                      const zonal::MaterialTable& material) const = 0;
+};
+
+/// Throws InputError for numbers of bands that are not compiled in.
+std::unique_ptr<Gatherer> make_gatherer(const std::vector<zonal::VirtualLight>& lights,
+                                        const Options& options);
+
+/// The numbers of bands that are compiled in: each costs compile time.
+std::vector<int> gather_bands();
+std::string gather_bands_text();
+std::vector<int> emission_bands();
+std::string emission_bands_text();
+
+}  // namespace hvl_render

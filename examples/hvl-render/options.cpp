@@ -1,0 +1,390 @@
+#include "options.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "gather_hvl.hpp"
+#include "scene.hpp"
+
+namespace hvl_render {
+namespace {
+
+/// Names in the order in which --help shows them.
+template <class Value>
+using Names = std::vector<std::pair<std::string, Value>>;
+
+const Names<Method> method_names{{"hvl", Method::hvl}, {"path", Method::path}};
+const Names<HorizonRule> horizon_names{
+    {"smoothstep", HorizonRule::smoothstep}, {"exact", HorizonRule::exact}, {"none", HorizonRule::none}};
+const Names<WindowRule> window_names{
+    {"none", WindowRule::none}, {"hann", WindowRule::hann}, {"sinc", WindowRule::sinc}};
+const Names<ToneMap> tone_names{{"filmic", ToneMap::filmic}, {"clamp", ToneMap::clamp}};
+
+template <class Value>
+std::string name_of(const Names<Value>& names, Value value) {
+  const auto found =
+      std::find_if(names.begin(), names.end(), [&](const auto& entry) { return entry.second == value; });
+  return found->first;
+}
+
+/// The whole text as one number.
+template <class Number>
+bool parse_number(const std::string& text, Number& number) {
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc() && stop == end && !text.empty();
+}
+
+using Check = std::function<std::string(const std::string&)>;
+
+// The ranges below stand in --help as the names of types, so the validators themselves say nothing there.
+
+/// A number within bounds; `text` is how they read.
+template <class Number>
+CLI::Validator between(Number least, Number greatest, const std::string& text) {
+  const Check check = [=](const std::string& given) -> std::string {
+    Number number{};
+    if (parse_number(given, number) && number >= least && number <= greatest) return {};
+    return "'" + given + "' is not in " + text;
+  };
+  return CLI::Validator(check, "");
+}
+
+CLI::Validator image_size() {
+  const Check check = [](const std::string& text) -> std::string {
+    const std::size_t cross = text.find('x');
+    int width = 0;
+    int height = 0;
+    const bool numbers = cross != std::string::npos && parse_number(text.substr(0, cross), width) &&
+                         parse_number(text.substr(cross + 1), height);
+    const auto possible = [](int length) { return length >= 1 && length <= 16384; };
+    if (numbers && possible(width) && possible(height)) return {};
+    return "'" + text + "' is not a size such as 640x512, each side 1 to 16384";
+  };
+  return CLI::Validator(check, "");
+}
+
+CLI::Validator radius_rule() {
+  const Check check = [](const std::string& text) -> std::string {
+    float metres = 0.0f;
+    const bool number = parse_number(text, metres) && metres > 0.0f && std::isfinite(metres);
+    if (text == "r1" || text == "r2" || number) return {};
+    return "'" + text + "' is neither r1 nor r2 nor a positive number of metres";
+  };
+  return CLI::Validator(check, "");
+}
+
+CLI::Validator image_name() {
+  const Check check = [](const std::string& text) -> std::string {
+    if (text.ends_with(".png") || text.ends_with(".exr")) return {};
+    return "'" + text + "' does not end in .png or .exr";
+  };
+  return CLI::Validator(check, "");
+}
+
+CLI::Validator one_of(std::vector<int> allowed, const std::string& text) {
+  const Check check = [allowed = std::move(allowed), text](const std::string& given) -> std::string {
+    int number = 0;
+    const bool found =
+        parse_number(given, number) && std::find(allowed.begin(), allowed.end(), number) != allowed.end();
+    return found ? std::string() : "'" + given + "' is not one of " + text;
+  };
+  return CLI::Validator(check, "");
+}
+
+/// An option whose words stand for the values of an enumeration.
+template <class Value>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, const Names<Value>& names, Value& chosen,
+                        const std::string& help) {
+  std::string text;
+  for (const auto& [word, value] : names) text += (text.empty() ? "" : "|") + word;
+  const auto assign = [&names, &chosen, name, text](const std::string& given) {
+    const auto found =
+        std::find_if(names.begin(), names.end(), [&](const auto& entry) { return entry.first == given; });
+    if (found == names.end()) throw CLI::ValidationError(name, "'" + given + "' is not one of " + text);
+    chosen = found->second;
+  };
+  return app.add_option_function<std::string>(name, assign, help)
+      ->type_name(text)
+      ->default_str(name_of(names, chosen));
+}
+
+/// A point x,y,z in metres.
+CLI::Option* add_point(CLI::App& app, const std::string& name, std::optional<glm::vec3>& point,
+                       const std::string& help) {
+  const auto assign = [&point, name](const std::string& text) {
+    glm::vec3 parsed{};
+    std::size_t start = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::size_t end = axis < 2 ? text.find(',', start) : text.size();
+      const bool number =
+          end != std::string::npos && parse_number(text.substr(start, end - start), parsed[axis]);
+      if (!number || !std::isfinite(parsed[axis]))
+        throw CLI::ValidationError(name, "'" + text + "' is not a point x,y,z");
+      start = end + 1;
+    }
+    point = parsed;
+  };
+  return app.add_option_function<std::string>(name, assign, help)->type_name("X,Y,Z");
+}
+
+/// An angle given in degrees and kept, times `scale`, in radians.
+CLI::Option* add_angle(CLI::App& app, const std::string& name, float greatest_degrees, float scale,
+                       std::optional<float>& radians, const std::string& help) {
+  const auto assign = [&radians, scale](const float& degrees) { radians = scale * glm::radians(degrees); };
+  const std::string range = "1..." + std::to_string(static_cast<int>(greatest_degrees)) + " degrees";
+  return app.add_option_function<float>(name, assign, help)
+      ->type_name(range)
+      ->check(between(1.0f, greatest_degrees, range));
+}
+
+void add_run_options(CLI::App& app, Options& options) {
+  const std::string group = "Run and output";
+  CLI::Option* compare =
+      app.add_option(
+             "--compare", options.compare_directory,
+             "Render by both methods; write hvl, reference and difference (red: hvl is brighter) there")
+          ->type_name("DIRECTORY")
+          ->group(group);
+  add_choice(app, "--method", method_names, options.method, "Virtual lights, or Monte Carlo paths")
+      ->group(group)
+      ->excludes(compare);
+  app.add_option("--out", options.out, "The picture: PNG for the screen, or EXR of linear radiance")
+      ->type_name("FILE.png|FILE.exr")
+      ->check(image_name())
+      ->capture_default_str()
+      ->group(group)
+      ->excludes(compare);
+  app.add_option("--reference", options.reference, "Compare the picture with this one of the same size")
+      ->type_name("FILE.exr")
+      ->group(group)
+      ->excludes(compare);
+  app.add_option("--report", options.report, "Write options, times, counts and errors there")
+      ->type_name("FILE.json")
+      ->group(group);
+  app.add_option("--threads", options.threads, "How many; 0 is all of the machine's")
+      ->type_name("0...1024")
+      ->check(between(0, 1024, "0...1024"))
+      ->capture_default_str()
+      ->group(group);
+  app.add_flag("--quiet", options.quiet, "Print neither progress nor the table")->group(group);
+}
+
+void add_scene_options(CLI::App& app, Options& options) {
+  const std::string group = "Scene";
+  app.add_option("--scene", options.scene, "The built-in hall, or a Wavefront OBJ file with its MTL")
+      ->type_name("atrium|FILE.obj")
+      ->capture_default_str()
+      ->group(group);
+  app.add_flag("--stage,!--no-stage", options.stage,
+               "Stand an OBJ on a floor before two walls (on by default)")
+      ->group(group);
+  ViewOverrides& view = options.view;
+  add_point(app, "--camera", view.camera_position, "Where the camera is, in metres; y is up")->group(group);
+  add_point(app, "--target", view.camera_target, "What it looks at")->group(group);
+  add_angle(app, "--fov", 170.0f, 1.0f, view.vertical_field_of_view, "Its vertical field of view")
+      ->group(group);
+  add_point(app, "--light", view.light_position, "Where the spotlight is")->group(group);
+  add_point(app, "--light-target", view.light_target, "What it points at")->group(group);
+  add_angle(app, "--light-angle", 178.0f, 0.5f, view.light_half_angle, "Full angle of its cone")
+      ->group(group);
+  app.add_option_function<float>(
+         "--light-power", [&view](const float& watts) { view.light_power = watts; },
+         "What it sends into the cone, per colour channel; makes it white")
+      ->type_name("WATTS")
+      ->check(between(1e-6f, 1e12f, "1e-6...1e12 watts"))
+      ->group(group);
+}
+
+void add_image_options(CLI::App& app, Options& options, std::string& size) {
+  const std::string group = "Image";
+  app.add_option("--size", size, "In pixels")
+      ->type_name("WIDTHxHEIGHT")
+      ->check(image_size())
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--antialias", options.antialias, "A: A x A positions in each pixel")
+      ->type_name("1...16")
+      ->check(between(1, 16, "1...16"))
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--exposure", options.display.exposure_stops,
+                 "Stops brighter, in PNG files and for the errors")
+      ->type_name("-30...30")
+      ->check(between(-30.0f, 30.0f, "-30...30"))
+      ->capture_default_str()
+      ->group(group);
+  add_choice(app, "--tone", tone_names, options.display.tone_map,
+             "From radiance to sRGB by a film curve, or cut off at 1")
+      ->group(group);
+}
+
+void add_hvl_options(CLI::App& app, Options& options, std::string& radius) {
+  const std::string group = "Harmonics virtual lights";
+  app.add_option("--lights", options.lights, "How many; rounded up to a square")
+      ->type_name("1...1000000")
+      ->check(between(1, 1000000, "1...1000000"))
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--bands", options.bands, "Bands of the receiver's material")
+      ->type_name(gather_bands_text())
+      ->check(one_of(gather_bands(), gather_bands_text()))
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--emission-bands", options.emission_bands,
+                 "Bands of the light that a virtual light sends out")
+      ->type_name(emission_bands_text())
+      ->check(one_of(emission_bands(), emission_bands_text()))
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--radius", radius,
+                 "By the distances to neighbours (r1), by the cone's angle (r2), or the same for all")
+      ->type_name("r1|r2|METRES")
+      ->check(radius_rule())
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--radius-factor", options.radius_factor, "Multiplies r1 and r2")
+      ->type_name("0.01...100")
+      ->check(between(0.01f, 100.0f, "0.01...100"))
+      ->capture_default_str()
+      ->group(group);
+  add_choice(app, "--horizon", horizon_names, options.horizon, "How the receiver's horizon cuts a light")
+      ->group(group);
+  add_choice(app, "--window", window_names, options.window, "What tames the ringing of the materials")
+      ->group(group);
+}
+
+void add_path_options(CLI::App& app, Options& options) {
+  const std::string group = "Path tracing";
+  app.add_option("--spp", options.samples_per_pixel,
+                 "Paths per pixel; rounded up to as many at each antialiasing position")
+      ->type_name("1...1000000")
+      ->check(between(1, 1000000, "1...1000000"))
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--bounces", options.bounces, "Indirect bounces; virtual lights always have one")
+      ->type_name("1...64")
+      ->check(between(1, 64, "1...64"))
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--seed", options.seed, "Another seed, another noise")
+      ->type_name("0...2^64-1")
+      ->check(between(std::uint64_t{0}, ~std::uint64_t{0}, "0...2^64-1"))
+      ->capture_default_str()
+      ->group(group);
+}
+
+void read_size(const std::string& size, Options& options) {
+  const std::size_t cross = size.find('x');
+  parse_number(size.substr(0, cross), options.width);
+  parse_number(size.substr(cross + 1), options.height);
+}
+
+void read_radius(const std::string& radius, Options& options) {
+  if (radius == "r1") {
+    options.radius = RadiusRule::neighbours;
+  } else if (radius == "r2") {
+    options.radius = RadiusRule::field_of_view;
+  } else {
+    options.radius = RadiusRule::fixed;
+    parse_number(radius, options.fixed_radius);
+  }
+}
+
+std::string one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+nlohmann::json radius_json(const Options& options) {
+  if (options.radius == RadiusRule::neighbours) return "r1";
+  if (options.radius == RadiusRule::field_of_view) return "r2";
+  return options.fixed_radius;
+}
+
+nlohmann::json point_json(const std::optional<glm::vec3>& point) {
+  return point ? nlohmann::json{point->x, point->y, point->z} : nlohmann::json();
+}
+
+nlohmann::json degrees_json(const std::optional<float>& radians, float scale) {
+  return radians ? nlohmann::json(scale * glm::degrees(*radians)) : nlohmann::json();
+}
+
+/// What the command line set; null is the scene's own.
+nlohmann::json view_json(const ViewOverrides& view) {
+  return {{"camera", point_json(view.camera_position)},
+          {"target", point_json(view.camera_target)},
+          {"fov_degrees", degrees_json(view.vertical_field_of_view, 1.0f)},
+          {"light", point_json(view.light_position)},
+          {"light_target", point_json(view.light_target)},
+          {"light_angle_degrees", degrees_json(view.light_half_angle, 2.0f)},
+          {"light_power_watts", view.light_power ? nlohmann::json(*view.light_power) : nlohmann::json()}};
+}
+
+}  // namespace
+
+CommandLine parse_command_line(int argc, char** argv) {
+  CommandLine line;
+  std::string size = "640x512";
+  std::string radius = "r2";
+  CLI::App app(
+      "Renders a scene lit by one spotlight: direct light, and one bounce by Harmonics Virtual Lights or by "
+      "paths.",
+      "hvl-render");
+  app.get_formatter()->column_width(44);
+  add_run_options(app, line.options);
+  add_scene_options(app, line.options);
+  add_image_options(app, line.options, size);
+  add_hvl_options(app, line.options, radius);
+  add_path_options(app, line.options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    line.exit_status = app.exit(success);
+    return line;
+  } catch (const CLI::ParseError& error) {
+    throw InputError(one_line(error.what()));
+  }
+  read_size(size, line.options);
+  read_radius(radius, line.options);
+  return line;
+}
+
+nlohmann::json to_json(const Options& options) {
+  return {
+      {"scene", options.scene},
+      {"stage", options.stage},
+      {"view", view_json(options.view)},
+      {"method", options.comparing() ? "compare" : name_of(method_names, options.method)},
+      {"lights", options.lights},
+      {"bands", options.bands},
+      {"emission_bands", options.emission_bands},
+      {"radius", radius_json(options)},
+      {"radius_factor", options.radius_factor},
+      {"horizon", name_of(horizon_names, options.horizon)},
+      {"window", name_of(window_names, options.window)},
+      {"samples_per_pixel", options.samples_per_pixel},
+      {"bounces", options.bounces},
+      {"seed", options.seed},
+      {"width", options.width},
+      {"height", options.height},
+      {"antialias", options.antialias},
+      {"exposure_stops", options.display.exposure_stops},
+      {"tone", name_of(tone_names, options.display.tone_map)},
+      {"out", options.comparing() ? options.compare_directory : options.out},
+      {"reference", options.reference},
+      {"report", options.report},
+      {"threads", options.threads},
+      {"quiet", options.quiet},
+  };
+}
+
+}  // namespace hvl_render

@@ -1,0 +1,225 @@
+#include "report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+namespace hvl_render {
+namespace {
+
+template <class... Arguments>
+std::string format(const char* pattern, Arguments... arguments) {
+  char text[128];
+  std::snprintf(text, sizeof text, pattern, arguments...);
+  return text;
+}
+
+/// One line of the table: its name, then a cell for each method.
+using Row = std::vector<std::string>;
+
+std::size_t width_of(const std::vector<Row>& rows, std::size_t column) {
+  std::size_t width = 0;
+  for (const Row& row : rows) width = std::max(width, row[column].size());
+  return width;
+}
+
+/// Columns as wide as their widest cell, names to the left, cells to the right.
+std::string align(const std::vector<Row>& rows) {
+  std::string text;
+  for (const Row& row : rows) {
+    text += row[0] + std::string(width_of(rows, 0) - row[0].size(), ' ');
+    for (std::size_t column = 1; column < row.size(); ++column) {
+      text += std::string(3 + width_of(rows, column) - row[column].size(), ' ') + row[column];
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+/// What one method did; a dash where a line is not its own.
+struct Column {
+  std::string method = "-", samples = "-", bands = "-", scene = "-", materials = "-", lights = "-",
+              primary = "-", direct = "-", indirect = "-", total = "-", rmse = "-", linear_rmse = "-",
+              psnr = "-", ssim = "-", cost = "-";
+};
+
+std::string seconds_text(double seconds) {
+  return format("%.3f", seconds);
+}
+
+/// The stages that both methods have, and the sum with the method's own.
+void add_shared(Column& column, const StageTimes& times, double own_seconds) {
+  const double scene = times.seconds(stage_name::scene);
+  const double primary = times.seconds(stage_name::primary);
+  const double direct = times.seconds(stage_name::direct);
+  column.scene = seconds_text(scene);
+  column.primary = seconds_text(primary);
+  column.direct = seconds_text(direct);
+  column.total = seconds_text(scene + primary + direct + own_seconds);
+}
+
+void add_errors(Column& column, const ImageErrors& errors) {
+  column.rmse = format("%.4f", errors.rmse);
+  column.linear_rmse = format("%.4f", errors.linear_rmse);
+  column.psnr = format("%.2f", errors.psnr);
+  if (std::isfinite(errors.ssim)) column.ssim = format("%.4f", errors.ssim);
+}
+
+Column hvl_column(const Report& report) {
+  const StageTimes& times = report.times;
+  const double materials = times.seconds(stage_name::materials);
+  const double lights = times.seconds(stage_name::lights);
+  const double gather = times.seconds(stage_name::gather);
+  Column column;
+  column.method = "hvl";
+  column.samples = std::to_string(report.counts.virtual_lights) + " lights";
+  column.bands =
+      std::to_string(report.options.bands) + ", emission " + std::to_string(report.options.emission_bands);
+  column.materials = seconds_text(materials);
+  column.lights = seconds_text(lights);
+  column.indirect = seconds_text(gather);
+  add_shared(column, times, materials + lights + gather);
+  if (report.errors) add_errors(column, *report.errors);
+  column.cost = format("%.2f", nanoseconds_per_gather(report));
+  return column;
+}
+
+Column path_column(const Report& report) {
+  const double paths = report.times.seconds(stage_name::paths);
+  Column column;
+  column.method = "path";
+  column.samples = std::to_string(report.counts.samples_per_pixel) + " spp";
+  column.indirect = seconds_text(paths);
+  add_shared(column, report.times, paths);
+  // In a comparison the paths are what the errors refer to.
+  if (report.errors && !report.options.comparing()) add_errors(column, *report.errors);
+  return column;
+}
+
+std::vector<Row> table_rows(const std::vector<Column>& columns) {
+  using Cell = std::string Column::*;
+  const std::vector<std::pair<const char*, Cell>> lines{
+      {"method", &Column::method},
+      {"samples", &Column::samples},
+      {"bands", &Column::bands},
+      {"scene and BVH, s", &Column::scene},
+      {"material projection, s", &Column::materials},
+      {"virtual lights, s", &Column::lights},
+      {"primary rays, s", &Column::primary},
+      {"direct light, s", &Column::direct},
+      {"indirect light, s", &Column::indirect},
+      {"total, s", &Column::total},
+      {"RMSE, display", &Column::rmse},
+      {"RMSE, radiance / mean", &Column::linear_rmse},
+      {"PSNR, dB", &Column::psnr},
+      {"SSIM", &Column::ssim},
+      {"ns per hit and light", &Column::cost},
+  };
+  std::vector<Row> rows;
+  for (const auto& [name, cell] : lines) {
+    Row row{name};
+    for (const Column& column : columns) row.push_back(column.*cell);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+/// JSON has no infinity: the PSNR of equal images is null.
+nlohmann::json number_or_null(double value) {
+  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
+}
+
+nlohmann::json errors_json(const ImageErrors& errors) {
+  return {{"rmse", number_or_null(errors.rmse)},
+          {"psnr_db", number_or_null(errors.psnr)},
+          {"ssim", number_or_null(errors.ssim)},
+          {"linear_rmse_relative_to_mean", number_or_null(errors.linear_rmse)}};
+}
+
+nlohmann::json counts_json(const Counts& counts) {
+  return {{"triangles", counts.triangles},
+          {"materials", counts.materials},
+          {"map_lights", counts.map_lights},
+          {"virtual_lights", counts.virtual_lights},
+          {"primary_samples", counts.primary_samples},
+          {"primary_hits", counts.primary_hits},
+          {"paths_per_pixel", counts.samples_per_pixel},
+          {"pixels_not_finite", counts.pixels_not_finite}};
+}
+
+nlohmann::json times_json(const StageTimes& times) {
+  nlohmann::json json;
+  for (const auto& [stage, seconds] : times.stages()) json[stage] = seconds;
+  json["total"] = times.total();
+  return json;
+}
+
+}  // namespace
+
+double StageTimes::seconds(const std::string& stage) const {
+  const auto found =
+      std::find_if(stages_.begin(), stages_.end(), [&](const auto& entry) { return entry.first == stage; });
+  return found == stages_.end() ? 0.0 : found->second;
+}
+
+double StageTimes::total() const {
+  double total = 0.0;
+  for (const auto& [stage, seconds] : stages_) total += seconds;
+  return total;
+}
+
+void StageTimes::add(const std::string& stage, double seconds) {
+  const auto found =
+      std::find_if(stages_.begin(), stages_.end(), [&](const auto& entry) { return entry.first == stage; });
+  if (found == stages_.end()) {
+    stages_.emplace_back(stage, seconds);
+  } else {
+    found->second += seconds;
+  }
+}
+
+double nanoseconds_per_gather(const Report& report) {
+  const double pairs =
+      static_cast<double>(report.counts.primary_hits) * static_cast<double>(report.counts.virtual_lights);
+  return pairs > 0.0 ? 1e9 * report.times.seconds(stage_name::gather) / pairs : 0.0;
+}
+
+std::string table(const Report& report) {
+  std::vector<Column> columns;
+  if (report.options.needs_lights()) columns.push_back(hvl_column(report));
+  if (report.options.needs_paths()) columns.push_back(path_column(report));
+  std::string text = align(table_rows(columns));
+  const auto asked = static_cast<std::size_t>(report.options.lights);
+  if (report.options.needs_lights() && report.counts.map_lights != asked) {
+    text += format("%zu lights were asked for: the map has %zu, the next square.\n", asked,
+                   report.counts.map_lights);
+  }
+  if (report.options.needs_lights() && report.counts.virtual_lights != report.counts.map_lights) {
+    text += format("%zu of them carry no light.\n", report.counts.map_lights - report.counts.virtual_lights);
+  }
+  return text;
+}
+
+std::string json_text(const Report& report) {
+  nlohmann::json json;
+  json["options"] = to_json(report.options);
+  json["machine"] = {{"cores", report.machine_cores}, {"threads", report.threads}};
+  json["counts"] = counts_json(report.counts);
+  json["seconds"] = times_json(report.times);
+  if (report.options.needs_lights()) {
+    json["material_projection_error"] = report.material_error;
+    json["gather_ns_per_hit_and_light"] = nanoseconds_per_gather(report);
+  }
+  if (report.errors) json["errors"] = errors_json(*report.errors);
+  if (report.options.comparing()) {
+    json["difference_map"] = {{"quantity", "display luma, hvl minus reference"},
+                              {"red", "hvl is brighter"},
+                              {"blue", "hvl is darker"},
+                              {"saturates_at", report.difference_full_scale}};
+  }
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace hvl_render

@@ -1,0 +1,80 @@
+#include "virtual_lights.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <tbb/parallel_for.h>
+#include <zonal/gather/radius.hpp>
+
+namespace hvl_render {
+namespace {
+
+/// The light of one texel of the spotlight's map; its flux is zero where there is none.
+zonal::VirtualLight shoot(const Scene& scene, const RayCaster& caster,
+                          const std::vector<zonal::MaterialTable>& tables, const glm::vec2& texel,
+                          float texel_solid_angle) {
+  const glm::vec3 direction = cone_direction(scene.light, texel);
+  zonal::VirtualLight light{};
+  light.to_primary = -direction;
+  const std::optional<Hit> hit = caster.closest(scene.light.position, direction);
+  if (!hit) return light;
+  light.position = hit->position;
+  light.normal = hit->normal;
+  light.primary_distance = hit->distance;
+  light.material = &tables[hit->material];
+  // Intensity times solid angle is all the light that lands there, whatever the surface's slope.
+  light.flux = scene.light.intensity_towards(direction) * texel_solid_angle;
+  return light;
+}
+
+void set_radii(std::vector<zonal::VirtualLight>& map, int side, const Spotlight& spotlight,
+               const Options& options) {
+  switch (options.radius) {
+    case RadiusRule::neighbours:
+      zonal::set_neighbour_radii(map.data(), side, side, options.radius_factor);
+      break;
+    case RadiusRule::field_of_view:
+      zonal::set_field_of_view_radii(map.data(), side * side, 2.0f * spotlight.half_angle,
+                                     options.radius_factor);
+      break;
+    case RadiusRule::fixed:
+      for (zonal::VirtualLight& light : map) light.radius = options.fixed_radius;
+      break;
+  }
+}
+
+}  // namespace
+
+int map_side(int lights) {
+  return static_cast<int>(std::ceil(std::sqrt(static_cast<double>(lights))));
+}
+
+std::vector<zonal::VirtualLight> shoot_virtual_lights(const Scene& scene, const RayCaster& caster,
+                                                      const std::vector<zonal::MaterialTable>& tables,
+                                                      const Options& options) {
+  const int side = map_side(options.lights);
+  const float texel_solid_angle = scene.light.solid_angle() / static_cast<float>(side * side);
+  std::vector<zonal::VirtualLight> map(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
+  tbb::parallel_for(0, side * side, [&](int i) {
+    const glm::vec2 texel((static_cast<float>(i % side) + 0.5f) / static_cast<float>(side),
+                          (static_cast<float>(i / side) + 0.5f) / static_cast<float>(side));
+    map[static_cast<std::size_t>(i)] = shoot(scene, caster, tables, texel, texel_solid_angle);
+  });
+  // Radii look at neighbours in the map, so the dark ones go afterwards.
+  set_radii(map, side, scene.light, options);
+  std::erase_if(map, [](const zonal::VirtualLight& light) { return light.flux == glm::vec3(0.0f); });
+  return map;
+}
+
+std::vector<zonal::MaterialTable> project_materials(const std::vector<Material>& materials,
+                                                    const Options& options) {
+  const int bands = std::max(options.bands, options.emission_bands);
+  const auto for_each = [](int count, const auto& body) { tbb::parallel_for(0, count, body); };
+  std::vector<zonal::MaterialTable> tables;
+  for (const Material& material : materials) {
+    tables.push_back(zonal::project_material(material.brdf, bands, 1e-4, for_each));
+  }
+  return tables;
+}
+
+}  // namespace hvl_render

@@ -1,0 +1,133 @@
+// The real spherical harmonics at a direction, for any number of bands.
+//
+// Each function comes in two forms. The sink form hands over every value as soon as it is known,
+// sink(l, m, value) with l and m constant expressions, and stores nothing; the array form is the sink that fills
+// an array. Conventions: zonal.hpp. Formulas and constants: table.hpp.
+//
+// Greatest error, in units of the largest value of the degree, over all directions, poles included:
+// docs/accuracy.md, from the table that also drives the test.
+#pragma once
+
+#include <cassert>
+
+#include "../scalar/scalar.hpp"
+#include "../scalar/unroll.hpp"
+#include "sh.hpp"
+#include "table.hpp"
+
+namespace zonal {
+
+namespace detail {
+
+// q_l^m(z) for l = m .. N-1, handed to sink(l, q). See table.hpp.
+template <int N, int m, class T, class Sink>
+ZONAL_INLINE constexpr void legendre_column(const T& z, const T& z2, Sink&& sink) {
+  constexpr auto& table = basis_table<N>;
+  sink(Index<m>{}, T(table.diagonal[m]));
+  T below = T(0), last = T(0);
+  if constexpr (m + 1 < N) sink(Index<m + 1>{}, T(table.linear[m]) * z);
+  if constexpr (m + 2 < N) {
+    below = T(table.square[m][1]) * z2 + T(table.square[m][0]);
+    sink(Index<m + 2>{}, below);
+  }
+  if constexpr (m + 3 < N) {
+    last = z * (T(table.cube[m][1]) * z2 + T(table.cube[m][0]));
+    sink(Index<m + 3>{}, last);
+  }
+  unroll<m + 4, N>([&](auto l) ZONAL_INLINE {
+    const T next = T(basis_table<N>.raise[l][m]) * z * last - T(basis_table<N>.lower[l][m]) * below;
+    below = last;
+    last = next;
+    sink(l, next);
+  });
+}
+
+// A direction far from unit length is a mistake of the caller; a rounded one is not.
+template <class T>
+constexpr bool is_unit(const T& x, const T& y, const T& z) {
+  if constexpr (is_builtin_scalar_v<T>) {
+    return abs(x * x + y * y + z * z - T(1)) < T(1e-3L);
+  } else {
+    return true;
+  }
+}
+
+}  // namespace detail
+
+/// Y_l^m(x, y, z) for all l < N, |m| <= l, to sink(l, m, value). (x, y, z) is a unit vector.
+template <int N, class T, class Sink>
+ZONAL_INLINE constexpr void evaluate(const T& x, const T& y, const T& z, Sink&& sink) {
+  static_assert(N >= 1, "bands out of range: N >= 1");
+  const T z2 = z * z;
+  detail::legendre_column<N, 0>(z, z2, [&](auto l, const T& q) ZONAL_INLINE { sink(l, Index<0>{}, q); });
+
+  T c = x, s = y;  // Re and Im of (x + iy)^m
+  unroll<1, N>([&](auto m) ZONAL_INLINE {
+    detail::legendre_column<N, m>(z, z2, [&](auto l, const T& q) ZONAL_INLINE {
+      sink(l, Index<-m>{}, q * s);
+      sink(l, m, q * c);
+    });
+    if constexpr (m + 1 < N) {
+      const T next = x * c - y * s;
+      s = x * s + y * c;
+      c = next;
+    }
+  });
+}
+
+/// The m >= 0 half of the same, which needs x and z only: y enters through x^2 + y^2 = 1 - z^2.
+template <int N, class T, class Sink>
+ZONAL_INLINE constexpr void evaluate_even(const T& x, const T& z, Sink&& sink) {
+  static_assert(N >= 1, "bands out of range: N >= 1");
+  const T z2 = z * z;
+  detail::legendre_column<N, 0>(z, z2, [&](auto l, const T& q) ZONAL_INLINE { sink(l, Index<0>{}, q); });
+
+  // Re (x+iy)^(m+1) = 2x Re (x+iy)^m - (x^2+y^2) Re (x+iy)^(m-1): the sine twin is not needed.
+  const T x_twice = x + x, sin2 = T(1) - z2;
+  T before = T(1), c = x;
+  unroll<1, N>([&](auto m) ZONAL_INLINE {
+    detail::legendre_column<N, m>(z, z2, [&](auto l, const T& q) ZONAL_INLINE { sink(l, m, q * c); });
+    if constexpr (m + 1 < N) {
+      const T next = x_twice * c - sin2 * before;
+      before = c;
+      c = next;
+    }
+  });
+}
+
+/// Y_l^0 at cos_angle from the axis, -1 to 1, to sink(l, value).
+template <int N, class T, class Sink>
+ZONAL_INLINE constexpr void evaluate_zonal(const T& cos_angle, Sink&& sink) {
+  static_assert(N >= 1, "bands out of range: N >= 1");
+  detail::legendre_column<N, 0>(cos_angle, cos_angle * cos_angle, sink);
+}
+
+/// N*N values in the order l(l+1)+m at a unit vector: anything with v[0], v[1], v[2].
+template <int N, class Direction>
+constexpr Sh<N, component_t<Direction>> evaluate(const Direction& direction) {
+  using T = component_t<Direction>;
+  static_assert(N >= 1, "bands out of range: N >= 1");
+  assert(detail::is_unit<T>(direction[0], direction[1], direction[2]));
+  Sh<N, T> y{};
+  evaluate<N>(T(direction[0]), T(direction[1]), T(direction[2]),
+              [&](auto l, auto m, const T& value) ZONAL_INLINE { y.values[sh_index(l, m)] = value; });
+  return y;
+}
+
+/// N(N+1)/2 values in the order l(l+1)/2+m, from the x and z of a unit vector.
+template <int N, class T>
+constexpr EvenSh<N, T> evaluate_even(const T& x, const T& z) {
+  EvenSh<N, T> y{};
+  evaluate_even<N>(x, z, [&](auto l, auto m, const T& value) ZONAL_INLINE { y.values[even_index(l, m)] = value; });
+  return y;
+}
+
+/// The N values Y_l^0.
+template <int N, class T>
+constexpr Zh<N, T> evaluate_zonal(const T& cos_angle) {
+  Zh<N, T> y{};
+  evaluate_zonal<N>(cos_angle, [&](auto l, const T& value) ZONAL_INLINE { y.values[l] = value; });
+  return y;
+}
+
+}  // namespace zonal

@@ -1,0 +1,38 @@
+// The cosine power.
+//
+// z_l = (n+1) K_l I_l with I_l the integral of u^n P_l(u) over [0, 1] [1, 3.3.1], by I_l = (n-l+2)/(n+l+1) I_(l-2).
+// For a real n the product runs through zero near an integer, as it should: each factor is exact to one rounding.
+//
+// [1] Segovia and Wald, Screen space spherical harmonics filters for instant global illumination.
+#pragma once
+
+#include "lambert.hpp"
+
+namespace zonal {
+
+/// f = (n+1)/(2 pi) max(cos theta, 0)^n for a real exponent n >= 0. It integrates to 1.
+template <class T>
+struct PhongLobe {
+  T exponent;
+};
+
+/// Its zonal coefficients to sink(l, value).
+template <int N, class T, class Sink>
+ZONAL_INLINE constexpr void project(const PhongLobe<T>& lobe, Sink&& sink) {
+  const T n = lobe.exponent;
+  T even = T(1), odd = (n + T(1)) / (n + T(2));  // (n+1) I_l
+  unroll<0, N>([&](auto l) ZONAL_INLINE {
+    T& integral = l % 2 == 0 ? even : odd;
+    if constexpr (l >= 2) integral = integral * ((n - T(l - 2)) / (n + T(l + 1)));
+    sink(l, T(detail::zonal_normalisation(l)) * integral);
+  });
+}
+
+template <int N, class T>
+constexpr Zh<N, T> project(const PhongLobe<T>& lobe) {
+  Zh<N, T> zh{};
+  project<N>(lobe, [&](auto l, const T& value) ZONAL_INLINE { zh.values[l] = value; });
+  return zh;
+}
+
+}  // namespace zonal

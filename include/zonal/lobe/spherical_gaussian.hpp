@@ -1,0 +1,68 @@
+// The spherical Gaussian.
+//
+// z_l = 4 pi K_l e^-lambda i_l(lambda) with the modified spherical Bessel function i_l. Two regimes, both computed
+// and one selected, because a kernel does not branch:
+//
+// - lambda < N^2/2: downward recurrence of the ratio rho_l = i_l / i_(l-1) = lambda / (2l+1 + lambda rho_(l+1)), which
+//   contracts errors by rho^2 a step. It starts at degree 4N + 8 from rho_l = lambda / (l + sqrt(l(l+1) + lambda^2)),
+//   right to second order for small and for large lambda.
+// - beyond: upward recurrence i_(l+1) = i_(l-1) - (2l+1)/lambda i_l, which amplifies errors by at most
+//   exp(N^2/lambda).
+//
+// For lambda < 1, where 1 - e^(-2 lambda) cancels, i_0 comes from sum (2l+1) i_l = e^lambda.
+#pragma once
+
+#include "lambert.hpp"
+
+namespace zonal {
+
+/// f = exp(sharpness (cos theta - 1)), 0 <= sharpness; f = 1 on the axis.
+template <class T>
+struct SphericalGaussian {
+  T sharpness;
+};
+
+/// Its zonal coefficients to sink(l, value).
+template <int N, class T, class Sink>
+ZONAL_INLINE constexpr void project(const SphericalGaussian<T>& lobe, Sink&& sink) {
+  constexpr int start = 4 * N + 8;
+  const T lambda = lobe.sharpness, lambda2 = lambda * lambda;
+
+  // Downward: the ratios, and sum = 1 + rho_1 (3 + rho_2 (5 + ...)) = e^lambda / i_0.
+  Zh<N, T> ratio{};
+  T rho = lambda / (T(start) + sqrt(T(start * (start + 1.0L)) + lambda2));
+  T sum = T(2 * start + 1);
+  for (int l = start - 1; l >= 1; --l) {
+    sum = T(2 * l + 1) + rho * sum;
+    rho = lambda / (T(2 * l + 1) + lambda * rho);
+    if (l < N) ratio.values[l] = rho;
+  }
+  sum = T(1) + rho * sum;
+
+  // e^-lambda i_l by both ways. Each divides by a safe value where it is not selected.
+  const auto is_tiny = lambda < T(1);
+  const auto is_sharp = T(N * N / 2.0L) < lambda;
+  const T safe = max(lambda, T(1));
+  const T fall = exp(T(-2) * safe);
+  const T i0 = select(is_tiny, T(1) / sum, (T(1) - fall) / (safe + safe));
+  T before = i0, upward = ((T(1) + fall) * T(0.5L) - i0) / safe, downward = i0;
+  sink(Index<0>{}, T(4 * kPi * detail::zonal_normalisation(0)) * i0);
+  unroll<1, N>([&](auto l) ZONAL_INLINE {
+    if constexpr (l > 1) {
+      const T next = before - T(2 * l - 1) / safe * upward;
+      before = upward;
+      upward = next;
+    }
+    downward = downward * ratio.values[l];
+    sink(l, T(4 * kPi * detail::zonal_normalisation(l)) * select(is_sharp, upward, downward));
+  });
+}
+
+template <int N, class T>
+constexpr Zh<N, T> project(const SphericalGaussian<T>& lobe) {
+  Zh<N, T> zh{};
+  project<N>(lobe, [&](auto l, const T& value) ZONAL_INLINE { zh.values[l] = value; });
+  return zh;
+}
+
+}  // namespace zonal

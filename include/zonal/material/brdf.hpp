@@ -1,0 +1,226 @@
+// zonal/material/brdf.hpp - analytic BRDF models: Lambert, Phong, GGX, and sums of them.
+//
+// Directions are unit vectors in the local frame, z being the surface normal; wi points towards the light, wo
+// towards the eye. A BRDF f(wi, wo) is in 1/sr, one value per RGB channel, reciprocal, and exactly zero when
+// either direction is at or below the horizon. Only isotropic models live here: f depends on the azimuths
+// through their difference.
+//
+// Each kernel is a template on its scalar T (float, double, long double); the parameters of a model are
+// floats, and are widened, so that a projection done in double is limited by the model and not by its
+// evaluation.
+//
+// Bibliography
+// [1] B. Walter, S. Marschner, H. Li, K. Torrance, "Microfacet Models for Refraction through Rough Surfaces",
+//     EGSR 2007.
+// [2] E. Heitz, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", JCGT 3(2), 2014.
+// [3] E. Lafortune, Y. Willems, "Using the Modified Phong Reflectance Model for Physically Based Rendering",
+//     report CW 197, KU Leuven, 1994.
+// [4] M. Born, E. Wolf, "Principles of Optics", 7th edition, 1999, sections 1.5.2 and 14.2.
+// [5] C. Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", Computer Graphics Forum 13(3),
+// 1994.
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <variant>
+#include <vector>
+
+#include "../scalar/constexpr_math.hpp"
+
+namespace zonal {
+
+/// Perfectly diffuse reflection, f = albedo / pi. albedo: RGB in [0, 1].
+struct LambertBrdf {
+  glm::vec3 albedo;
+};
+
+/// Normalised Phong lobe [3], f = specular_albedo (n + 2) / (2 pi) cos^n of the angle between wi and the
+/// mirror direction of wo. specular_albedo: RGB in [0, 1], the albedo seen from the normal; exponent n: 0 to
+/// 1e6.
+struct PhongBrdf {
+  glm::vec3 specular_albedo;
+  float exponent;
+};
+
+/// Exact Fresnel reflectance of a metal of index eta + i k (the medium above has index 1), per RGB channel.
+/// eta > 0, k >= 0.
+struct ConductorFresnel {
+  glm::vec3 eta, k;
+};
+
+/// Exact Fresnel reflectance of a dielectric. eta > 0: its index over that of the medium above; below 1,
+/// total internal reflection is included.
+struct DielectricFresnel {
+  float eta;
+};
+
+/// Schlick's approximation [5]. f0: RGB reflectance at normal incidence, in [0, 1].
+struct SchlickFresnel {
+  glm::vec3 f0;
+};
+
+using Fresnel = std::variant<ConductorFresnel, DielectricFresnel, SchlickFresnel>;
+
+/// Isotropic GGX microfacets [1] with the height-correlated Smith masking-shadowing function [2] and single
+/// scattering. roughness is GGX's alpha itself (no squaring), 0.001 to 1.
+struct GgxBrdf {
+  float roughness;
+  Fresnel fresnel;
+};
+
+using BrdfLobe = std::variant<LambertBrdf, PhongBrdf, GgxBrdf>;
+
+/// A material: the sum of its lobes. Nothing checks that the sum conserves energy.
+struct Brdf {
+  std::vector<BrdfLobe> lobes;
+};
+
+namespace detail {
+
+template <class T>
+bool above_horizon(const glm::vec<3, T>& wi, const glm::vec<3, T>& wo) {
+  return wi.z > T(0) && wo.z > T(0);
+}
+
+/// cos^n of the angle between wi and the mirror direction of wo, zero beyond a right angle.
+/// For unit vectors the cosine is 1 - |wi - mirror|^2 / 2: the difference is exact near the peak, where
+/// rounding the cosine itself would be amplified n times.
+template <class T>
+T phong_lobe(const glm::vec<3, T>& wi, const glm::vec<3, T>& wo, T exponent) {
+  const glm::vec<3, T> from_mirror(wi.x + wo.x, wi.y + wo.y, wi.z - wo.z);
+  const T one_minus_cos = T(0.5) * glm::dot(from_mirror, from_mirror);
+  return one_minus_cos < T(1) ? std::exp(exponent * std::log1p(-one_minus_cos)) : T(0);
+}
+
+/// The half vector of two directions above the horizon: its squared length before normalisation, |wi + wo|^2,
+/// and the squared sine and cosine of its angle to the normal. The sine comes from its own components, not
+/// from 1 - cos^2: GGX at a small roughness divides by it.
+template <class T>
+struct HalfVector {
+  T squared_length, squared_sine, squared_cosine;
+};
+
+template <class T>
+HalfVector<T> half_vector(const glm::vec<3, T>& wi, const glm::vec<3, T>& wo) {
+  const glm::vec<3, T> h = wi + wo;
+  const T scale =
+      std::max({std::abs(h.x), std::abs(h.y), h.z});  // no underflow between two grazing directions
+  const glm::vec<3, T> s = h / scale;
+  const T squared_length = glm::dot(s, s);
+  return {scale * scale * squared_length, (s.x * s.x + s.y * s.y) / squared_length,
+          s.z * s.z / squared_length};
+}
+
+/// D of [1] Eq. 33, in 1/sr: alpha^2 / (pi (cos^2 (alpha^2 - 1) + 1)^2), without its cancellation.
+template <class T>
+T ggx_distribution(const HalfVector<T>& h, T alpha) {
+  const T width = h.squared_sine / alpha + alpha * h.squared_cosine;
+  return T(1) / (T(kPi) * width * width);
+}
+
+/// cos sqrt(1 + alpha^2 tan^2): Smith's Lambda of [2] Eq. 72 is (this / cos - 1) / 2. Finite at the horizon.
+template <class T>
+T ggx_projected_length(T cos_angle, T alpha) {
+  return std::sqrt(alpha * alpha * (T(1) - cos_angle * cos_angle) + cos_angle * cos_angle);
+}
+
+/// G2(wi, wo) / (4 cos_i cos_o) with the height-correlated G2 of [2] Eq. 99; the cosines cancel. The true
+/// value diverges when both directions graze; it is held at 5e16, which only cosines below 1e-15 can reach.
+template <class T>
+T ggx_visibility(T cos_i, T cos_o, T alpha) {
+  const T sum = cos_o * ggx_projected_length(cos_i, alpha) + cos_i * ggx_projected_length(cos_o, alpha);
+  return T(0.5) / std::max(sum, T(1e-17));
+}
+
+/// Unpolarised Fresnel reflectance of a half space of index eta + i k, [4] section 1.5.2 carried to a complex
+/// index. With a + i b = sqrt((eta + i k)^2 - sin^2), both polarisations are ratios of sums of squares: no
+/// cancellation but the physical ones (index 1, Brewster's angle). k = 0 gives a dielectric, total internal
+/// reflection included.
+template <class T>
+T fresnel_reflectance(T cos_angle, T eta, T k) {
+  const T c = std::clamp(cos_angle, T(1e-6), T(1));  // index 1 at grazing incidence would be 0 / 0
+  const T squared_sine = (T(1) - c) * (T(1) + c);
+  const T real = (eta - k) * (eta + k) - squared_sine;
+  const T modulus = std::sqrt(real * real + T(4) * eta * eta * k * k);
+  const T a = std::sqrt(std::max(T(0.5) * (modulus + real), T(0)));
+  const T b2 = std::max(T(0.5) * (modulus - real), T(0));
+  const auto square = [](T x) { return x * x; };
+  const T s_polarised = (square(a - c) + b2) / (square(a + c) + b2);
+  const T p_over_s =
+      (square(a * c - squared_sine) + b2 * c * c) / (square(a * c + squared_sine) + b2 * c * c);
+  return T(0.5) * s_polarised * (T(1) + p_over_s);
+}
+
+}  // namespace detail
+
+/// Fresnel reflectance, RGB in [0, 1], of light that meets a surface at cos_angle in [0, 1].
+/// Greatest error in float: 1e-6.
+template <class T>
+glm::vec<3, T> reflectance(const ConductorFresnel& fresnel, T cos_angle) {
+  const glm::vec<3, T> eta(fresnel.eta), k(fresnel.k);
+  return {detail::fresnel_reflectance(cos_angle, eta.x, k.x),
+          detail::fresnel_reflectance(cos_angle, eta.y, k.y),
+          detail::fresnel_reflectance(cos_angle, eta.z, k.z)};
+}
+
+template <class T>
+glm::vec<3, T> reflectance(const DielectricFresnel& fresnel, T cos_angle) {
+  return glm::vec<3, T>(detail::fresnel_reflectance(cos_angle, T(fresnel.eta), T(0)));
+}
+
+template <class T>
+glm::vec<3, T> reflectance(const SchlickFresnel& fresnel, T cos_angle) {
+  const glm::vec<3, T> f0(fresnel.f0);
+  const T x = T(1) - std::clamp(cos_angle, T(0), T(1));
+  return f0 + (T(1) - f0) * (x * x * x * x * x);
+}
+
+template <class T>
+glm::vec<3, T> reflectance(const Fresnel& fresnel, T cos_angle) {
+  return std::visit([=](const auto& model) { return reflectance(model, cos_angle); }, fresnel);
+}
+
+/// The BRDF, RGB in 1/sr. wi, wo: unit vectors in the local frame; zero when either has z <= 0.
+template <class T>
+glm::vec<3, T> evaluate(const LambertBrdf& brdf, const glm::vec<3, T>& wi, const glm::vec<3, T>& wo) {
+  if (!detail::above_horizon(wi, wo)) return glm::vec<3, T>(T(0));
+  return glm::vec<3, T>(brdf.albedo) / T(kPi);
+}
+
+template <class T>
+glm::vec<3, T> evaluate(const PhongBrdf& brdf, const glm::vec<3, T>& wi, const glm::vec<3, T>& wo) {
+  if (!detail::above_horizon(wi, wo)) return glm::vec<3, T>(T(0));
+  const T exponent = T(brdf.exponent);
+  const T normalisation = (exponent + T(2)) / (T(2) * T(kPi));  // [3]
+  return glm::vec<3, T>(brdf.specular_albedo) * (normalisation * detail::phong_lobe(wi, wo, exponent));
+}
+
+/// [1] Eq. 20 with the height-correlated G2 of [2] Eq. 99.
+template <class T>
+glm::vec<3, T> evaluate(const GgxBrdf& brdf, const glm::vec<3, T>& wi, const glm::vec<3, T>& wo) {
+  if (!detail::above_horizon(wi, wo)) return glm::vec<3, T>(T(0));
+  assert(brdf.roughness > 0.0F && brdf.roughness <= 1.0F);
+  const T alpha = T(brdf.roughness);
+  const auto h = detail::half_vector(wi, wo);
+  const T cos_difference = T(0.5) * std::sqrt(h.squared_length);  // wi . h = |wi + wo| / 2 for unit vectors
+  return reflectance(brdf.fresnel, cos_difference) *
+         (detail::ggx_distribution(h, alpha) * detail::ggx_visibility(wi.z, wo.z, alpha));
+}
+
+template <class T>
+glm::vec<3, T> evaluate(const BrdfLobe& lobe, const glm::vec<3, T>& wi, const glm::vec<3, T>& wo) {
+  return std::visit([&](const auto& model) { return evaluate(model, wi, wo); }, lobe);
+}
+
+template <class T>
+glm::vec<3, T> evaluate(const Brdf& brdf, const glm::vec<3, T>& wi, const glm::vec<3, T>& wo) {
+  glm::vec<3, T> sum(T(0));
+  for (const BrdfLobe& lobe : brdf.lobes) sum += evaluate(lobe, wi, wo);
+  return sum;
+}
+
+}  // namespace zonal

@@ -1,0 +1,168 @@
+// zonal/material/projection.hpp - spherical-harmonic coefficients of a BRDF seen from one outgoing direction.
+//
+// Fixing wo leaves a function of wi alone, which is projected on the basis [1, 2]:
+//   F_l^m  = integral of f(wi, wo) max(wi.z, 0) Y_l^m(wi) over wi      "with cosine":    for the receiver of
+//   light F'_l^m = integral of f(wi, wo) Y_l^m(wi) over the upper hemisphere "without cosine": for a virtual
+//   light, whose
+//                                                                       geometric factor holds the cosine
+//                                                                       [2, 5.1]
+// The frame has z = normal and wo in the plane y = 0 with wo.x >= 0. There an isotropic BRDF is even in phi:
+// only m >= 0 is computed and stored.
+//
+// Bibliography
+// [1] J. Kautz, P.-P. Sloan, J. Snyder, "Fast, Arbitrary BRDF Shading for Low-Frequency Lighting Using
+// Spherical
+//     Harmonics", EGWR 2002.
+// [2] P. Mezieres, F. Desrichard, D. Vanderhaeghe, M. Paulin, "Harmonics Virtual Lights: Fast Projection of
+// Luminance
+//     Field on Spherical Harmonics for Efficient Rendering", Computer Graphics Forum 2022, sections 4.2
+//     and 5.1.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <glm/vec3.hpp>
+
+#include "../basis/evaluate.hpp"
+#include "../basis/sh.hpp"
+#include "quadrature.hpp"
+
+namespace zonal {
+
+/// The coefficients of one outgoing direction, RGB: with_cosine in units of 1 (albedo), without_cosine in the
+/// same. error: what the last refinement moved, max over all coefficients of both, relative to the largest
+/// coefficient of each; theta_nodes: the nodes of each of the two intervals of theta (and of phi) that
+/// refinement used.
+template <int N>
+struct BrdfProjection {
+  EvenSh<N, glm::dvec3> with_cosine{}, without_cosine{};
+  double error = 0.0;
+  int theta_nodes = 0;
+};
+
+/// The Gauss-Legendre rules of 32, 64, ..., 512 nodes that project_brdf refines through. Build it once (a few
+/// milliseconds) and share it, also between threads, when projecting many directions.
+class ProjectionQuadrature {
+ public:
+  static constexpr int first_size = 32;
+  static constexpr int levels = 5;
+
+  ProjectionQuadrature() {
+    for (int level = 0; level < levels; ++level) rules_[level] = gauss_legendre(first_size << level);
+  }
+  const QuadratureRule& rule(int level) const { return rules_[level]; }
+
+ private:
+  QuadratureRule rules_[levels];
+};
+
+namespace detail {
+
+inline double largest(const glm::dvec3& rgb) {
+  return std::max({std::abs(rgb.x), std::abs(rgb.y), std::abs(rgb.z)});
+}
+
+template <int N>
+double largest(const EvenSh<N, glm::dvec3>& sh) {
+  double result = 0.0;
+  for (const glm::dvec3& coefficient : sh) result = std::max(result, largest(coefficient));
+  return result;
+}
+
+template <int N>
+double relative_movement(const EvenSh<N, glm::dvec3>& from, const EvenSh<N, glm::dvec3>& to) {
+  const double scale = largest(to);
+  return scale > 0.0 ? largest(to - from) / scale : largest(from);
+}
+
+/// Adds to `moments` the integrals of f cos(m phi), m < N, over the full circle of wi at the angle theta from
+/// the normal. phi runs over half of it, from the mirror direction's pi to 0, and counts twice.
+template <int N, class F>
+void add_azimuthal_moments(const F& brdf, const glm::dvec3& wo, double cos_theta, double sin_theta,
+                           const QuadratureRule& rule, glm::dvec3 (&moments)[std::size_t(N)]) {
+  for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+    const double s = 0.5 * (1.0 + rule.nodes[i]);
+    const double from_mirror = double(kPi) * s * s;
+    const double cos_phi = -std::cos(from_mirror);
+    const glm::dvec3 wi(sin_theta * cos_phi, sin_theta * std::sin(from_mirror), cos_theta);
+    const glm::dvec3 weighted = brdf(wi, wo) * (2.0 * double(kPi) * s * rule.weights[i]);
+    double previous = cos_phi, c = 1.0;  // cos((m - 1) phi), cos(m phi)
+    for (int m = 0; m < N; ++m) {
+      moments[m] += weighted * c;
+      const double next = 2.0 * cos_phi * c - previous;
+      previous = c;
+      c = next;
+    }
+  }
+}
+
+/// Adds to both integrals the rows of theta between `mirror`, where the nodes crowd, and `end`. Y_l^m is its
+/// value at phi = 0 times cos(m phi), so each row needs the basis once.
+template <int N, class F>
+void add_theta_interval(const F& brdf, const glm::dvec3& wo, double low, double high,
+                        const QuadratureRule& rule, BrdfProjection<N>& result) {
+  const double width = end - mirror;
+  if (width == 0.0) return;
+  for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+    const double s = 0.5 * (1.0 + rule.nodes[i]);
+    const double theta = mirror + width * s * s;
+    const double cos_theta = std::cos(theta), sin_theta = std::sin(theta);
+    glm::dvec3 moments[std::size_t(N)] = {};
+    add_azimuthal_moments<N>(brdf, wo, cos_theta, sin_theta, rule, moments);
+    const double solid_angle = std::abs(width) * s * rule.weights[i] * sin_theta;
+    const EvenSh<N, double> basis = evaluate_even<N>(sin_theta, cos_theta);
+    for (int l = 0; l < N; ++l) {
+      for (int m = 0; m <= l; ++m) {
+        const glm::dvec3 term = moments[m] * (solid_angle * basis(l, m));
+        result.without_cosine(l, m) += term;
+        result.with_cosine(l, m) += term * cos_theta;
+      }
+    }
+  }
+}
+
+template <int N, class F>
+BrdfProjection<N> project_brdf_once(const F& brdf, double cos_outgoing, const QuadratureRule& rule) {
+  const double theta_o = std::acos(cos_outgoing);
+  const glm::dvec3 wo(std::sin(theta_o), 0.0, cos_outgoing);
+  BrdfProjection<N> result;
+  add_theta_interval<N>(brdf, wo, theta_o, 0.0, rule, result);
+  add_theta_interval<N>(brdf, wo, theta_o, 0.5 * double(kPi), rule, result);
+  result.theta_nodes = int(rule.nodes.size());
+  return result;
+}
+
+}  // namespace detail
+
+/// Projects brdf, a callable (glm::dvec3 wi, glm::dvec3 wo) -> glm::dvec3 in 1/sr that is even in phi, seen
+/// from cos_outgoing in [0, 1]. N bands; refined until no coefficient moves by more than tolerance times the
+/// largest. The result's `error` says what was reached, also where the 512 nodes ran out first.
+///
+/// The quadrature. A glossy lobe is a peak at the mirror direction, theta = theta_o and phi = pi. A uniform
+/// grid needs nodes in inverse proportion to the peak's width, and a coarse one can step over it twice and
+/// look converged. So the intervals are made to end at the peak: theta is split at theta_o, and phi runs over
+/// the half circle from pi to 0. Gauss-Legendre nodes crowd towards the end of an interval, n of them to 1.4
+/// / n^2 of its length; with the substitution theta = theta_o +- length s^2, phi = pi - pi s^2, to 2 / n^4.
+/// The number of nodes then grows with the fourth root of the sharpness, and the first rule already has nodes
+/// within 1e-5 of the peak. Inside the intervals the integrand is smooth: convergence is geometric, and the
+/// error of the finer of two rules is far below their difference. What the cosine and Y add, polynomials of
+/// degree N, is nothing to 64 nodes if N <= 32.
+template <int N, class F>
+BrdfProjection<N> project_brdf(const F& brdf, double cos_outgoing, double tolerance,
+                               const ProjectionQuadrature& quadrature) {
+  BrdfProjection<N> coarse = detail::project_brdf_once<N>(brdf, cos_outgoing, quadrature.rule(0));
+  for (int level = 1;; ++level) {
+    BrdfProjection<N> fine = detail::project_brdf_once<N>(brdf, cos_outgoing, quadrature.rule(level));
+    fine.error = std::max(detail::relative_movement(coarse.with_cosine, fine.with_cosine),
+                          detail::relative_movement(coarse.without_cosine, fine.without_cosine));
+    if (fine.error <= tolerance || level + 1 == ProjectionQuadrature::levels) return fine;
+    coarse = fine;
+  }
+}
+
+template <int N, class F>
+BrdfProjection<N> project_brdf(const F& brdf, double cos_outgoing, double tolerance = 1e-4) {
+  return project_brdf<N>(brdf, cos_outgoing, tolerance, ProjectionQuadrature());
+}
+
+}  // namespace zonal

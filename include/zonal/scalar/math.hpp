@@ -1,0 +1,61 @@
+// Inverse trigonometry for any scalar, from + - * / sqrt alone: every target then computes the same thing.
+// The drivers' own acos is wrong by up to 1e-4 on some targets.
+#pragma once
+
+#include "constexpr_math.hpp"
+#include "scalar.hpp"
+#include "unroll.hpp"
+
+namespace zonal {
+
+namespace detail {
+// asin(s) = sum of c_k s^(2k+1), c_0 = 1, c_k = c_(k-1) (2k-1)^2 / (2k (2k+1)); for |s| <= 1/2 a term is less than a
+// quarter of the one before.
+template <class T>
+struct ArcsineSeries {
+  static constexpr int terms = digits_v<T> * 2 / 5 + 1;
+  long double coefficient[static_cast<std::size_t>(terms)] = {};
+  constexpr ArcsineSeries() {
+    coefficient[0] = 1;
+    for (int k = 1; k < terms; ++k) {
+      coefficient[k] = coefficient[k - 1] * (2 * k - 1) * (2 * k - 1) / (2.0L * k * (2 * k + 1));
+    }
+  }
+};
+template <class T>
+inline constexpr ArcsineSeries<T> arcsine_series{};
+}  // namespace detail
+
+/// asin(x) in radians for -1 <= x <= 1. Greatest error 2 ulp of the result.
+template <class T>
+constexpr T asin(const T& x) {
+  // Beyond one half: asin(|x|) = pi/2 - 2 asin(sqrt((1 - |x|) / 2)).
+  const T magnitude = abs(x);
+  const auto is_large = magnitude > T(0.5L);
+  const T half_rest = T(0.5L) * (T(1) - magnitude);
+  const T s2 = select(is_large, half_rest, magnitude * magnitude);
+  const T s = select(is_large, sqrt(half_rest), magnitude);
+
+  constexpr auto& series = detail::arcsine_series<T>;
+  T sum = T(series.coefficient[series.terms - 1]);
+  unroll<1, series.terms>([&](auto k) ZONAL_INLINE { sum = sum * s2 + T(series.coefficient[series.terms - 1 - k]); });
+  const T small = s * sum;
+  const T result = select(is_large, T(kPi / 2) - (small + small), small);
+  return select(x < T(0), -result, result);
+}
+
+/// acos(x) in radians for -1 <= x <= 1. Greatest absolute error 1 ulp of pi.
+template <class T>
+constexpr T acos(const T& x) {
+  return T(kPi / 2) - asin(x);
+}
+
+/// The angle from 0 to pi, in radians, with this cosine and this sine >= 0. Well conditioned for every angle.
+template <class T>
+constexpr T angle_from(const T& cos_angle, const T& sin_angle) {
+  const T magnitude = abs(cos_angle);
+  const T acute = select(sin_angle < magnitude, asin(sin_angle), T(kPi / 2) - asin(min(magnitude, T(1))));
+  return select(cos_angle < T(0), T(kPi) - acute, acute);
+}
+
+}  // namespace zonal

@@ -1,0 +1,227 @@
+// A scalar that does nothing but write down what is done to it: operation counts, and shader text from the record.
+//
+//   Recording recording;
+//   auto y = evaluate<5>(std::array{recording.input("x"), recording.input("y"), recording.input("z")});
+//   OperationCount count = recording.count(y.begin(), y.end());
+//
+// Two constants combine to a constant in float, as the C++ kernel does; x+0, x-0, x*1 and x/1 are x. An
+// operation that was written before on the same operands is not written again. What the asked-for outputs do not
+// need does not count.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "scalar.hpp"
+
+namespace zonal {
+
+enum class Operation : std::uint8_t {
+  input, constant, negate, add, subtract, multiply, divide, minimum, maximum, absolute, square_root, exponential,
+  less, less_equal, select,
+};
+
+class Recording;
+
+/// A float constant, or the result of a line of a Recording.
+class Recorder {
+ public:
+  Recorder() = default;
+  template <class C, class = std::enable_if_t<std::is_arithmetic_v<C>>>
+  explicit Recorder(C constant) : constant_(static_cast<float>(constant)) {}
+
+  bool is_constant() const { return recording_ == nullptr; }
+  float constant() const { return constant_; }
+  int line() const { return line_; }
+
+ private:
+  friend class Recording;
+  Recorder(Recording* recording, int line) : recording_(recording), line_(line) {}
+
+  Recording* recording_ = nullptr;
+  int line_ = -1;
+  float constant_ = 0;
+};
+
+/// What comparing two Recorders gives.
+struct RecorderMask {
+  Recorder flag;  // a line, or the constant 0 or 1
+};
+
+/// How often each kind of arithmetic occurs.
+struct OperationCount {
+  int additions = 0;        // + - and unary -
+  int multiplications = 0;  // *
+  int divisions = 0;        // /
+  int functions = 0;        // sqrt exp
+  int comparisons = 0;      // < <= min max abs select
+  int total() const { return additions + multiplications + divisions + functions + comparisons; }
+};
+
+/// The record: a list of lines, each an operation on earlier lines.
+class Recording {
+ public:
+  struct Line {
+    Operation operation;
+    int operands[3];   // line numbers; -1 where unused
+    float constant;    // for Operation::constant
+    std::string name;  // for Operation::input
+  };
+
+  Recording() = default;
+  Recording(const Recording&) = delete;  // recorders point at their recording
+  Recording& operator=(const Recording&) = delete;
+
+  Recorder input(std::string name) {
+    lines_.push_back({Operation::input, {-1, -1, -1}, 0, std::move(name)});
+    return {this, static_cast<int>(lines_.size()) - 1};
+  }
+
+  const std::vector<Line>& lines() const { return lines_; }
+
+  /// Whether each line is needed by the outputs [first, last).
+  template <class Iterator>
+  std::vector<bool> needed(Iterator first, Iterator last) const {
+    std::vector<bool> live(lines_.size(), false);
+    for (; first != last; ++first) {
+      if (!first->is_constant()) live[static_cast<std::size_t>(first->line())] = true;
+    }
+    for (std::size_t i = lines_.size(); i-- > 0;) {
+      if (!live[i]) continue;
+      for (int operand : lines_[i].operands) {
+        if (operand >= 0) live[static_cast<std::size_t>(operand)] = true;
+      }
+    }
+    return live;
+  }
+
+  /// The operations that the outputs [first, last) need.
+  template <class Iterator>
+  OperationCount count(Iterator first, Iterator last) const {
+    const std::vector<bool> live = needed(first, last);
+    OperationCount count;
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      if (!live[i]) continue;
+      switch (lines_[i].operation) {
+        case Operation::input:
+        case Operation::constant: break;
+        case Operation::negate:
+        case Operation::add:
+        case Operation::subtract: ++count.additions; break;
+        case Operation::multiply: ++count.multiplications; break;
+        case Operation::divide: ++count.divisions; break;
+        case Operation::square_root:
+        case Operation::exponential: ++count.functions; break;
+        case Operation::minimum:
+        case Operation::maximum:
+        case Operation::absolute:
+        case Operation::less:
+        case Operation::less_equal:
+        case Operation::select: ++count.comparisons; break;
+      }
+    }
+    return count;
+  }
+
+  /// Writes an operation down, unless it stands already. At least one operand is not a constant.
+  static Recorder write(Operation operation, const Recorder& a, const Recorder& b = Recorder(0),
+                        const Recorder& c = Recorder(0), int operand_count = 1) {
+    Recording& recording = *(a.recording_ ? a : b.recording_ ? b : c).recording_;
+    int operands[3] = {-1, -1, -1};
+    const Recorder* given[3] = {&a, &b, &c};
+    for (int i = 0; i < operand_count; ++i) operands[i] = recording.line_of(*given[i]);
+    const bool commutes = operation == Operation::add || operation == Operation::multiply;
+    if (commutes && operands[1] < operands[0]) std::swap(operands[0], operands[1]);
+    return {&recording, recording.find_or_append(operation, operands, 0)};
+  }
+
+ private:
+  int line_of(const Recorder& r) {
+    if (!r.is_constant()) return r.line();
+    const int none[3] = {-1, -1, -1};
+    return find_or_append(Operation::constant, none, r.constant());
+  }
+
+  int find_or_append(Operation operation, const int (&operands)[3], float constant) {
+    const auto key = std::make_tuple(operation, operands[0], operands[1], operands[2], constant);
+    const auto [entry, is_new] = index_.try_emplace(key, static_cast<int>(lines_.size()));
+    if (is_new) lines_.push_back({operation, {operands[0], operands[1], operands[2]}, constant, {}});
+    return entry->second;
+  }
+
+  std::vector<Line> lines_;
+  std::map<std::tuple<Operation, int, int, int, float>, int> index_;
+};
+
+namespace detail {
+inline bool is(const Recorder& a, float constant) { return a.is_constant() && a.constant() == constant; }
+// The one line of every unary and of every binary operation: fold constants with `fold`, or write it down.
+template <class Fold>
+Recorder record(Operation operation, const Recorder& a, Fold fold) {
+  return a.is_constant() ? Recorder(fold(a.constant())) : Recording::write(operation, a);
+}
+template <class Fold>
+Recorder record(Operation operation, const Recorder& a, const Recorder& b, Fold fold) {
+  if (a.is_constant() && b.is_constant()) return Recorder(fold(a.constant(), b.constant()));
+  return Recording::write(operation, a, b, Recorder(0), 2);
+}
+}  // namespace detail
+
+inline Recorder operator-(const Recorder& a) {
+  return detail::record(Operation::negate, a, [](float x) { return -x; });
+}
+inline Recorder operator+(const Recorder& a, const Recorder& b) {
+  if (detail::is(a, 0)) return b;
+  if (detail::is(b, 0)) return a;
+  return detail::record(Operation::add, a, b, [](float x, float y) { return x + y; });
+}
+inline Recorder operator-(const Recorder& a, const Recorder& b) {
+  if (detail::is(b, 0)) return a;
+  return detail::record(Operation::subtract, a, b, [](float x, float y) { return x - y; });
+}
+inline Recorder operator*(const Recorder& a, const Recorder& b) {
+  if (detail::is(a, 1)) return b;
+  if (detail::is(b, 1)) return a;
+  return detail::record(Operation::multiply, a, b, [](float x, float y) { return x * y; });
+}
+inline Recorder operator/(const Recorder& a, const Recorder& b) {
+  if (detail::is(b, 1)) return a;
+  return detail::record(Operation::divide, a, b, [](float x, float y) { return x / y; });
+}
+inline Recorder min(const Recorder& a, const Recorder& b) {
+  return detail::record(Operation::minimum, a, b, [](float x, float y) { return min(x, y); });
+}
+inline Recorder max(const Recorder& a, const Recorder& b) {
+  return detail::record(Operation::maximum, a, b, [](float x, float y) { return max(x, y); });
+}
+inline Recorder abs(const Recorder& a) {
+  return detail::record(Operation::absolute, a, [](float x) { return abs(x); });
+}
+inline Recorder sqrt(const Recorder& a) {
+  return detail::record(Operation::square_root, a, [](float x) { return sqrt(x); });
+}
+inline Recorder exp(const Recorder& a) {
+  return detail::record(Operation::exponential, a, [](float x) { return exp(x); });
+}
+inline RecorderMask operator<(const Recorder& a, const Recorder& b) {
+  return {detail::record(Operation::less, a, b, [](float x, float y) { return x < y ? 1.0F : 0.0F; })};
+}
+inline RecorderMask operator<=(const Recorder& a, const Recorder& b) {
+  return {detail::record(Operation::less_equal, a, b, [](float x, float y) { return x <= y ? 1.0F : 0.0F; })};
+}
+inline RecorderMask operator>(const Recorder& a, const Recorder& b) { return b < a; }
+inline RecorderMask operator>=(const Recorder& a, const Recorder& b) { return b <= a; }
+inline Recorder select(const RecorderMask& mask, const Recorder& a, const Recorder& b) {
+  if (mask.flag.is_constant()) return mask.flag.constant() != 0 ? a : b;
+  return Recording::write(Operation::select, mask.flag, a, b, 3);
+}
+
+template <>
+struct ScalarTraits<Recorder> {
+  using Lane = float;
+};
+
+}  // namespace zonal

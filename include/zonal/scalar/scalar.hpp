@@ -1,0 +1,80 @@
+// What a scalar type T must offer, and the same for the built-in floating-point types.
+//
+// Every kernel of this library is a function template on T and never branches on data. It uses only
+//
+//   T(c)                          a constant, from long double or int, rounded once
+//   + - * / unary-               arithmetic
+//   < <= > >=                     comparisons, which give a mask_t<T>
+//   select(mask, a, b)            a where the mask holds, b elsewhere; both are computed
+//   min max abs sqrt exp          found by argument-dependent lookup
+//
+// Ready-made scalars: float, double, long double (here), Packet (packet.hpp), Dual (dual.hpp),
+// Shadow (shadow.hpp) and Recorder (recorder.hpp). A type of your own joins by offering the list above
+// and, where its precision is not that of double, a specialisation of ScalarTraits.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+namespace zonal {
+
+template <class T>
+inline constexpr bool is_builtin_scalar_v = std::is_floating_point_v<T>;
+
+template <class T, class R>
+using IfBuiltin = std::enable_if_t<is_builtin_scalar_v<T>, R>;
+
+/// What the library needs to know about a scalar. `Lane` is the built-in type of its constants and precision.
+template <class T>
+struct ScalarTraits {
+  using Lane = std::conditional_t<is_builtin_scalar_v<T>, T, double>;
+};
+
+template <class T>
+using lane_t = typename ScalarTraits<T>::Lane;
+
+/// Binary digits of the mantissa: 24 for float. Kernels choose the length of a series by it.
+template <class T>
+inline constexpr int digits_v = std::numeric_limits<lane_t<T>>::digits;
+
+/// What comparing two T gives: bool for the built-in types.
+template <class T>
+using mask_t = std::decay_t<decltype(std::declval<T>() < std::declval<T>())>;
+
+/// The component type of anything with v[0], v[1], v[2]: a GLM or Eigen vector, std::array, a pointer.
+template <class V>
+using component_t = std::decay_t<decltype(std::declval<const V&>()[0])>;
+
+template <class T>
+constexpr IfBuiltin<T, T> select(bool mask, T a, T b) {
+  return mask ? a : b;
+}
+template <class T>
+constexpr IfBuiltin<T, T> min(T a, T b) {
+  return b < a ? b : a;
+}
+template <class T>
+constexpr IfBuiltin<T, T> max(T a, T b) {
+  return a < b ? b : a;
+}
+template <class T>
+constexpr IfBuiltin<T, T> abs(T a) {
+  return a < T(0) ? -a : a;
+}
+template <class T>
+IfBuiltin<T, T> sqrt(T a) {
+  return std::sqrt(a);
+}
+template <class T>
+IfBuiltin<T, T> exp(T a) {
+  return std::exp(a);
+}
+
+template <class T>
+constexpr T clamp(T x, T low, T high) {
+  return min(max(x, low), high);
+}
+
+}  // namespace zonal

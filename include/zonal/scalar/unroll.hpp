@@ -1,0 +1,34 @@
+// Loops whose index is known at compile time.
+#pragma once
+
+#include <type_traits>
+#include <utility>
+
+/// Kernels hand values to sinks one by one; the whole must melt into one function, whatever its size.
+#if defined(_MSC_VER) && !defined(__clang__)
+#define ZONAL_INLINE
+#else
+#define ZONAL_INLINE __attribute__((always_inline))
+#endif
+
+namespace zonal {
+
+template <int I>
+using Index = std::integral_constant<int, I>;
+
+namespace detail {
+template <int Begin, class F, int... I>
+ZONAL_INLINE constexpr void unroll_sequence(F&& body, std::integer_sequence<int, I...>) {
+  (body(Index<Begin + I>{}), ...);
+}
+}  // namespace detail
+
+/// body(Index<Begin>{}), ..., body(Index<End - 1>{}): inside, the argument is a constant expression.
+template <int Begin, int End, class F>
+ZONAL_INLINE constexpr void unroll(F&& body) {
+  if constexpr (Begin < End) {
+    detail::unroll_sequence<Begin>(body, std::make_integer_sequence<int, End - Begin>{});
+  }
+}
+
+}  // namespace zonal

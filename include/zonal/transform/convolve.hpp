@@ -1,0 +1,27 @@
+// Convolution with a zonal kernel: each degree scaled, sqrt(4 pi / (2l+1)) z_l f_l^m (Funk and Hecke).
+#pragma once
+
+#include "orient.hpp"
+
+namespace zonal {
+
+/// (f * k)(w) = integral of f(w') k(angle between w and w'). With k = LambertLobe, radiance becomes E / pi.
+template <int N, class A, class T>
+constexpr Sh<N, A> convolve(Sh<N, A> f, const Zh<N, T>& kernel) {
+  unroll<0, N>([&](auto l) ZONAL_INLINE {
+    const T factor = T(detail::zonal_to_degree(l)) * kernel.values[l];
+    unroll<l * l, (l + 1) * (l + 1)>([&](auto i) ZONAL_INLINE { f.values[i] = f.values[i] * factor; });
+  });
+  return f;
+}
+
+/// The same of a zonal function; the result is zonal about the same axis.
+template <int N, class A, class T>
+constexpr Zh<N, A> convolve(Zh<N, A> f, const Zh<N, T>& kernel) {
+  unroll<0, N>([&](auto l) ZONAL_INLINE {
+    f.values[l] = f.values[l] * (T(detail::zonal_to_degree(l)) * kernel.values[l]);
+  });
+  return f;
+}
+
+}  // namespace zonal

@@ -1,0 +1,54 @@
+// Windows against ringing: each degree is multiplied by a factor that falls from 1 towards 0 at degree `width`.
+//
+// [1] Sloan, Stupid spherical harmonics tricks, GDC 2008.
+#pragma once
+
+#include <cmath>
+
+#include "../basis/sh.hpp"
+#include "../scalar/constexpr_math.hpp"
+
+namespace zonal {
+
+enum class Window { none, hann, sinc };
+
+/// The factor of degree l, 0 <= l <= width: hann (1 + cos(pi l/width))/2, sinc sin(pi l/width)/(pi l/width) [1].
+inline double window_factor(Window window, int degree, double width) {
+  const double x = static_cast<double>(kPi) * degree / width;
+  switch (window) {
+    case Window::hann: return (1 + std::cos(x)) / 2;
+    case Window::sinc: return degree == 0 ? 1 : std::sin(x) / x;
+    case Window::none: break;
+  }
+  return 1;
+}
+
+namespace detail {
+template <class C, class Degree>
+C scale_degrees(C coefficients, Window window, double width, Degree last_of_degree) {
+  for (int l = 0, i = 0; l < C::bands; ++l) {
+    const double factor = window_factor(window, l, width);
+    for (; i <= last_of_degree(l); ++i) {
+      using T = std::decay_t<decltype(coefficients[i])>;
+      coefficients[i] = T(coefficients[i] * T(static_cast<float>(factor)));
+    }
+  }
+  return coefficients;
+}
+}  // namespace detail
+
+/// The windowed coefficients. `width` defaults to the number of bands: degree N would be the first at zero.
+template <int N, class T>
+Sh<N, T> apply_window(const Sh<N, T>& sh, Window window, double width = N) {
+  return detail::scale_degrees(sh, window, width, [](int l) { return sh_index(l, l); });
+}
+template <int N, class T>
+EvenSh<N, T> apply_window(const EvenSh<N, T>& sh, Window window, double width = N) {
+  return detail::scale_degrees(sh, window, width, [](int l) { return even_index(l, l); });
+}
+template <int N, class T>
+Zh<N, T> apply_window(const Zh<N, T>& zh, Window window, double width = N) {
+  return detail::scale_degrees(zh, window, width, [](int l) { return l; });
+}
+
+}  // namespace zonal

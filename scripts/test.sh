@@ -1,0 +1,10 @@
+#!/usr/bin/env bash
+# Builds everything and runs every test; installs what it needs. Further arguments go to ctest.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
+
+zonal_setup ZONAL_REQUIRE_TESTS catch2 libbenchmark-dev clang
+zonal_say "building ($zonal_jobs at a time)"
+cmake --build "$zonal_build" -j "$zonal_jobs"
+zonal_say "testing"
+ctest --test-dir "$zonal_build" --output-on-failure -j "$zonal_jobs" "$@"

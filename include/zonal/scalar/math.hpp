@@ -28,7 +28,7 @@ inline constexpr ArcsineSeries<T> arcsine_series{};
 
 /// asin(x) in radians for -1 <= x <= 1. Greatest error 2 ulp of the result.
 template <class T>
-constexpr T asin(const T& x) {
+ZONAL_INLINE constexpr T asin(const T& x) {
   // Beyond one half: asin(|x|) = pi/2 - 2 asin(sqrt((1 - |x|) / 2)).
   const T magnitude = abs(x);
   const auto is_large = magnitude > T(0.5L);
@@ -46,13 +46,13 @@ constexpr T asin(const T& x) {
 
 /// acos(x) in radians for -1 <= x <= 1. Greatest absolute error 1 ulp of pi.
 template <class T>
-constexpr T acos(const T& x) {
+ZONAL_INLINE constexpr T acos(const T& x) {
   return T(kPi / 2) - asin(x);
 }
 
 /// The angle from 0 to pi, in radians, with this cosine and this sine >= 0. Well conditioned for every angle.
 template <class T>
-constexpr T angle_from(const T& cos_angle, const T& sin_angle) {
+ZONAL_INLINE constexpr T angle_from(const T& cos_angle, const T& sin_angle) {
   const T magnitude = abs(cos_angle);
   const T acute = select(sin_angle < magnitude, asin(sin_angle), T(kPi / 2) - asin(min(magnitude, T(1))));
   return select(cos_angle < T(0), T(kPi) - acute, acute);

@@ -1,11 +1,12 @@
 // W lanes at once: SIMD over directions, lights, grid points or pixels. Needs Eigen.
 //
-// A thin eager type over Eigen's fixed-size arrays: every operation gives a Packet, never an expression.
+// A thin eager type over Eigen's registers: every operation gives a Packet, never an expression.
 #pragma once
 
 #include <Eigen/Core>
 
 #include "scalar.hpp"
+#include "unroll.hpp"
 
 // GCC 12 takes the undefined register inside its own AVX-512 intrinsics for a mistake (GCC bug 105593).
 #if defined(__GNUC__) && !defined(__clang__)
@@ -17,79 +18,141 @@
 namespace zonal {
 
 namespace detail {
-// Eigen's widest register type that divides W values, and a loop over the registers of its arrays. Comparing and
-// selecting go through these because Eigen's own arrays of bool are not vectorised.
+// W values as Eigen's widest registers that divide W: registers, not Eigen's arrays and expressions, which GCC copies
+// by halves and stops inlining in a large kernel (20 times slower).
 template <class T, int W>
-using Register = typename Eigen::internal::find_best_packet<T, W>::type;
-
-template <class T, int W, class F, class... Arrays>
-Eigen::Array<T, W, 1> map_registers(F f, const Arrays&... arrays) {
-  constexpr int step = Eigen::internal::unpacket_traits<Register<T, W>>::size;
+struct Registers {
+  using Register = typename Eigen::internal::find_best_packet<T, W>::type;
+  static constexpr int step = Eigen::internal::unpacket_traits<Register>::size;
   static_assert(W % step == 0, "the width of a packet fills whole registers: 4, 8, 16, ... floats");
-  Eigen::Array<T, W, 1> result;
-  for (int i = 0; i < W; i += step) {
-    Eigen::internal::pstoreu(result.data() + i,
-                             f(Eigen::internal::ploadu<Register<T, W>>(arrays.data() + i)...));
+
+  Register values[static_cast<std::size_t>(W / step)];
+
+  // f of each register, or of each pair or triple of them.
+  template <class F, class... Operands>
+  ZONAL_INLINE static Registers map(F f, const Operands&... operands) {
+    Registers result;
+    for (int i = 0; i < W / step; ++i) result.values[i] = f(operands.values[i]...);
+    return result;
   }
-  return result;
-}
+};
 }  // namespace detail
 
 /// What comparing two packets gives: in each lane all bits set, or none.
 template <class T, int W>
 struct PacketMask {
-  Eigen::Array<T, W, 1> bits;
+  detail::Registers<T, W> bits;
 };
 
-/// W values of a built-in T. For speed W * sizeof(T) is 16, 32 or 64 bytes; see kNativeLanes.
+/// W values of a built-in T, which fill whole registers: 4, 8, 16 ... floats.
 template <class T, int W>
 struct Packet {
   static_assert(is_builtin_scalar_v<T> && W >= 1, "a packet holds W >= 1 built-in scalars");
-  using Array = Eigen::Array<T, W, 1>;
+  using Registers = detail::Registers<T, W>;
+  using Mask = PacketMask<T, W>;
   static constexpr int width = W;
 
-  Array lanes;
+  Registers lanes;
 
   Packet() = default;
   template <class C, class = std::enable_if_t<std::is_arithmetic_v<C>>>
-  explicit Packet(C constant) : lanes(Array::Constant(static_cast<T>(constant))) {}
-  explicit Packet(const Array& values) : lanes(values) {}
+  ZONAL_INLINE explicit Packet(C constant)
+      : lanes(Registers::map([constant] {
+          return Eigen::internal::pset1<typename Registers::Register>(static_cast<T>(constant));
+        })) {}
+  ZONAL_INLINE explicit Packet(const Registers& registers) : lanes(registers) {}
 
   /// W consecutive values; `values` may have any alignment.
-  static Packet load(const T* values) { return Packet(Array(Eigen::Map<const Array>(values))); }
-  void store(T* values) const { Eigen::Map<Array>{values} = lanes; }
-
-  T operator[](int lane) const { return lanes[lane]; }
-  T& operator[](int lane) { return lanes[lane]; }
-  T sum() const { return lanes.sum(); }
-
-  Packet operator-() const { return Packet(Array(-lanes)); }
-  friend Packet operator+(const Packet& a, const Packet& b) { return Packet(Array(a.lanes + b.lanes)); }
-  friend Packet operator-(const Packet& a, const Packet& b) { return Packet(Array(a.lanes - b.lanes)); }
-  friend Packet operator*(const Packet& a, const Packet& b) { return Packet(Array(a.lanes * b.lanes)); }
-  friend Packet operator/(const Packet& a, const Packet& b) { return Packet(Array(a.lanes / b.lanes)); }
-
-  friend Packet min(const Packet& a, const Packet& b) { return Packet(Array(a.lanes.min(b.lanes))); }
-  friend Packet max(const Packet& a, const Packet& b) { return Packet(Array(a.lanes.max(b.lanes))); }
-  friend Packet abs(const Packet& a) { return Packet(Array(a.lanes.abs())); }
-  friend Packet sqrt(const Packet& a) { return Packet(Array(a.lanes.sqrt())); }
-  friend Packet exp(const Packet& a) { return Packet(Array(a.lanes.exp())); }
-
-  friend PacketMask<T, W> operator<(const Packet& a, const Packet& b) {
-    return {detail::map_registers<T, W>(
-        [](const auto& x, const auto& y) { return Eigen::internal::pcmp_lt(x, y); }, a.lanes, b.lanes)};
+  ZONAL_INLINE static Packet load(const T* values) {
+    Packet r;
+    for (int i = 0; i < W / Registers::step; ++i) {
+      r.lanes.values[i] = Eigen::internal::ploadu<typename Registers::Register>(values + i * Registers::step);
+    }
+    return r;
   }
-  friend PacketMask<T, W> operator<=(const Packet& a, const Packet& b) {
-    return {detail::map_registers<T, W>(
-        [](const auto& x, const auto& y) { return Eigen::internal::pcmp_le(x, y); }, a.lanes, b.lanes)};
+  ZONAL_INLINE void store(T* values) const {
+    for (int i = 0; i < W / Registers::step; ++i) {
+      Eigen::internal::pstoreu(values + i * Registers::step, lanes.values[i]);
+    }
   }
-  friend PacketMask<T, W> operator>(const Packet& a, const Packet& b) { return b < a; }
-  friend PacketMask<T, W> operator>=(const Packet& a, const Packet& b) { return b <= a; }
 
-  friend Packet select(const PacketMask<T, W>& mask, const Packet& a, const Packet& b) {
-    return Packet(detail::map_registers<T, W>(
-        [](const auto& m, const auto& x, const auto& y) { return Eigen::internal::pselect(m, x, y); }, mask.bits,
-        a.lanes, b.lanes));
+  /// One lane, for set-up and tests: not for kernels.
+  T operator[](int lane) const {
+    T values[static_cast<std::size_t>(W)];
+    store(values);
+    return values[lane];
+  }
+  void set(int lane, T value) {
+    T values[static_cast<std::size_t>(W)];
+    store(values);
+    values[lane] = value;
+    *this = load(values);
+  }
+  /// The sum of the lanes, in a fixed order.
+  T sum() const {
+    T values[static_cast<std::size_t>(W)];
+    store(values);
+    T total = values[0];
+    for (int i = 1; i < W; ++i) total += values[i];
+    return total;
+  }
+
+  ZONAL_INLINE friend Packet operator-(const Packet& a) {
+    return Packet(Registers::map(
+        [](const auto& x) ZONAL_INLINE { return Eigen::internal::pnegate(x); }, a.lanes));
+  }
+  ZONAL_INLINE friend Packet operator+(const Packet& a, const Packet& b) {
+    return Packet(Registers::map(
+        [](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::padd(x, y); }, a.lanes, b.lanes));
+  }
+  ZONAL_INLINE friend Packet operator-(const Packet& a, const Packet& b) {
+    return Packet(Registers::map(
+        [](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::psub(x, y); }, a.lanes, b.lanes));
+  }
+  ZONAL_INLINE friend Packet operator*(const Packet& a, const Packet& b) {
+    return Packet(Registers::map(
+        [](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pmul(x, y); }, a.lanes, b.lanes));
+  }
+  ZONAL_INLINE friend Packet operator/(const Packet& a, const Packet& b) {
+    return Packet(Registers::map(
+        [](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pdiv(x, y); }, a.lanes, b.lanes));
+  }
+  ZONAL_INLINE friend Packet min(const Packet& a, const Packet& b) {
+    return Packet(Registers::map(
+        [](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pmin(x, y); }, a.lanes, b.lanes));
+  }
+  ZONAL_INLINE friend Packet max(const Packet& a, const Packet& b) {
+    return Packet(Registers::map(
+        [](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pmax(x, y); }, a.lanes, b.lanes));
+  }
+  ZONAL_INLINE friend Packet abs(const Packet& a) {
+    return Packet(Registers::map(
+        [](const auto& x) ZONAL_INLINE { return Eigen::internal::pabs(x); }, a.lanes));
+  }
+  ZONAL_INLINE friend Packet sqrt(const Packet& a) {
+    return Packet(Registers::map(
+        [](const auto& x) ZONAL_INLINE { return Eigen::internal::psqrt(x); }, a.lanes));
+  }
+  ZONAL_INLINE friend Packet exp(const Packet& a) {
+    return Packet(Registers::map(
+        [](const auto& x) ZONAL_INLINE { return Eigen::internal::pexp(x); }, a.lanes));
+  }
+
+  ZONAL_INLINE friend Mask operator<(const Packet& a, const Packet& b) {
+    return {Registers::map(
+        [](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pcmp_lt(x, y); }, a.lanes, b.lanes)};
+  }
+  ZONAL_INLINE friend Mask operator<=(const Packet& a, const Packet& b) {
+    return {Registers::map(
+        [](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pcmp_le(x, y); }, a.lanes, b.lanes)};
+  }
+  ZONAL_INLINE friend Mask operator>(const Packet& a, const Packet& b) { return b < a; }
+  ZONAL_INLINE friend Mask operator>=(const Packet& a, const Packet& b) { return b <= a; }
+
+  ZONAL_INLINE friend Packet select(const Mask& mask, const Packet& a, const Packet& b) {
+    return Packet(Registers::map(
+        [](const auto& m, const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pselect(m, x, y); },
+        mask.bits, a.lanes, b.lanes));
   }
 };
 

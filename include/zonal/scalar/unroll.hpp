@@ -4,12 +4,7 @@
 #include <type_traits>
 #include <utility>
 
-/// Kernels hand values to sinks one by one; the whole must melt into one function, whatever its size.
-#if defined(_MSC_VER) && !defined(__clang__)
-#define ZONAL_INLINE
-#else
-#define ZONAL_INLINE __attribute__((always_inline))
-#endif
+#include "scalar.hpp"
 
 namespace zonal {
 

@@ -1,0 +1,203 @@
+// Harmonics virtual lights: the indirect light that reaches a point from a cache of virtual lights.
+//
+// A light j at y is a sphere that sends L_j = Phi_j f_y(w_l, -w) max(0, n_j . -w) / (pi r^2) towards x, w the direction
+// from x to y. At x it is a cap of sin a = r/d, whose projection in x's frame meets the material's, F = f cos:
+//
+//   L_o(x) = sum_j L_j H(n_x, w) sum_l A_l(a) sum_m F_l^m Y_l^m(w),   A_l = sqrt(4pi/(2l+1)) z_l     [1] Eq. 19-22
+//
+// Both frames are chosen so that their fixed direction (the eye at x, the primary light at y) has phi = 0: isotropic
+// materials are then even in phi, and N(N+1)/2 coefficients do what N^2 would.
+//
+// [1] Mezieres et al., Harmonics Virtual Lights, CGF 41(6), 2022.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+
+#include "../basis/evaluate.hpp"
+#include "../lobe/cap.hpp"
+#include "../scalar/packet.hpp"
+#include "../transform/orient.hpp"
+#include "horizon.hpp"
+#include "virtual_light.hpp"
+
+namespace zonal {
+
+/// What a sphere light needs to be seen: a light of the cache as the kernel reads it, one lane or a packet of them.
+template <int NE, class T>
+struct HvlRecord {
+  static constexpr int emission_size = NE * (NE + 1) / 2;
+  T position[3], normal[3];
+  T tangent[3];  // the direction to the primary light, projected on the tangent plane
+  T radius;
+  T emission[3][static_cast<std::size_t>(emission_size)];  // RGB: Phi F' / (pi r^2)
+
+  /// field(i) for i < field_count: the order in which the cache stores them.
+  static constexpr int field_count = 10 + 3 * emission_size;
+  ZONAL_INLINE T& field(int i) {
+    if (i < 9) return (i < 3 ? position : i < 6 ? normal : tangent)[i % 3];
+    if (i == 9) return radius;
+    return emission[(i - 10) / emission_size][(i - 10) % emission_size];
+  }
+};
+
+/// A frame about a normal in which a fixed direction has phi = 0.
+template <class T>
+struct ReceiverFrame {
+  T position[3], normal[3], tangent[3];
+};
+
+namespace detail {
+template <class T>
+ZONAL_INLINE constexpr T dot3(const T (&a)[3], const T (&b)[3]) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// The unit vector of v's part in the plane of the normal; any one of that plane where v is the normal.
+inline glm::vec3 tangent_towards(const glm::vec3& normal, const glm::vec3& v) {
+  const glm::vec3 flat = v - glm::dot(v, normal) * normal;
+  const float length2 = glm::dot(flat, flat);
+  if (length2 > 1e-12F) return flat / std::sqrt(length2);
+  const glm::vec3 other = std::abs(normal.x) < 0.5F ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+  return glm::normalize(glm::cross(normal, other));
+}
+}  // namespace detail
+
+/// The outgoing radiance that one light (or one packet of lights) causes, to radiance[3], RGB. `material` is F at the
+/// outgoing direction, RGB by degree and order. A receiver inside the sphere sees a hemisphere; one at its very
+/// centre sees nothing, for there is no direction to it.
+template <int N, int NE, Horizon method, class T, class Lane>
+ZONAL_INLINE inline void hvl_radiance(const HvlRecord<NE, T>& light, const ReceiverFrame<T>& receiver,
+                                      const EvenSh<N, glm::vec<3, Lane>>& material, T (&radiance)[3]) {
+  // Where the light stands, and how large it looks.
+  const T to_light[3] = {light.position[0] - receiver.position[0], light.position[1] - receiver.position[1],
+                         light.position[2] - receiver.position[2]};
+  const T distance = sqrt(max(detail::dot3(to_light, to_light), T(1e-30L)));
+  const T inverse = T(1) / distance;
+  const T direction[3] = {to_light[0] * inverse, to_light[1] * inverse, to_light[2] * inverse};
+  const T cos_receiver = detail::dot3(direction, receiver.normal);
+  const T cos_light = max(T(0), -detail::dot3(direction, light.normal));
+  const auto cap = SphericalCap<T>::from_sphere(distance, light.radius);
+
+  // What it sends towards the receiver; a band-limited emission that rings below zero sends nothing.
+  T sent[3] = {T(0), T(0), T(0)};
+  evaluate_even<NE>(-detail::dot3(direction, light.tangent), -detail::dot3(direction, light.normal),
+                    [&](auto l, auto m, const T& y) ZONAL_INLINE {
+                      for (int c = 0; c < 3; ++c) sent[c] = sent[c] + light.emission[c][even_index(l, m)] * y;
+                    });
+  const T geometry = cos_light * horizon<method>(cap, cos_receiver);
+
+  // What the receiver's material makes of it: one sum per degree and channel, then the cap's coefficient.
+  T by_degree[3][static_cast<std::size_t>(N)] = {};
+  for (auto& channel : by_degree) {
+    for (T& sum : channel) sum = T(0);
+  }
+  evaluate_even<N>(detail::dot3(direction, receiver.tangent), cos_receiver, [&](auto l, auto m, const T& y) ZONAL_INLINE {
+    const auto& f = material.values[even_index(l, m)];
+    for (int c = 0; c < 3; ++c) by_degree[c][l] = by_degree[c][l] + T(f[c]) * y;
+  });
+  T reflected[3] = {T(0), T(0), T(0)};
+  project<N>(cap, [&](auto l, const T& z) ZONAL_INLINE {
+    const T a = T(detail::zonal_to_degree(l)) * z;
+    for (int c = 0; c < 3; ++c) reflected[c] = reflected[c] + a * by_degree[c][l];
+  });
+  for (int c = 0; c < 3; ++c) radiance[c] = max(sent[c], T(0)) * geometry * reflected[c];
+}
+
+/// The virtual lights as a structure of arrays, padded with dark lights to whole packets. Lights without power, area or
+/// material are left out: they contribute exactly nothing. NE bands of emission; 1 suits diffuse emitters and needs
+/// no evaluation at all.
+template <int NE>
+class HvlCache {
+ public:
+  using Lanes = Packet<float, kNativeLanes>;
+  using Record = HvlRecord<NE, Lanes>;
+
+  HvlCache() = default;
+  explicit HvlCache(const std::vector<VirtualLight>& lights) {
+    for (const VirtualLight& light : lights) {
+      const bool shines = light.flux != glm::vec3(0) && light.radius > 0 && light.material != nullptr &&
+                          glm::dot(light.normal, light.to_primary) > 0;
+      if (shines) append(light);
+    }
+  }
+
+  /// The lights that shine.
+  int size() const { return size_; }
+  /// The same in packets, the last one padded.
+  int packet_count() const { return (size_ + Lanes::width - 1) / Lanes::width; }
+
+  ZONAL_INLINE Record packet(int index) const {
+    Record record;
+    const float* source = fields_.data() + static_cast<std::size_t>(index * Lanes::width * Record::field_count);
+    unroll<0, Record::field_count>(
+        [&](auto i) ZONAL_INLINE { record.field(i) = Lanes::load(source + i * Lanes::width); });
+    return record;
+  }
+
+ private:
+  void append(const VirtualLight& light) {
+    const glm::vec3 tangent = detail::tangent_towards(light.normal, light.to_primary);
+    const EvenSh<NE, glm::vec3> reflected =
+        light.material->template without_cosine<NE>(glm::dot(light.normal, light.to_primary));
+    const glm::vec3 scale = light.flux / (static_cast<float>(kPi) * light.radius * light.radius);
+
+    HvlRecord<NE, float> record;
+    for (int i = 0; i < 3; ++i) {
+      record.position[i] = light.position[i];
+      record.normal[i] = light.normal[i];
+      record.tangent[i] = tangent[i];
+      for (int k = 0; k < record.emission_size; ++k) record.emission[i][k] = scale[i] * reflected[k][i];
+    }
+    record.radius = light.radius;
+    store(record);
+  }
+
+  // Packet after packet, each field by field: one gather step reads one run of memory.
+  void store(HvlRecord<NE, float>& record) {
+    const int lane = size_ % Lanes::width;
+    if (lane == 0) fields_.resize(fields_.size() + static_cast<std::size_t>(Lanes::width * Record::field_count), 0.0F);
+    float* target = fields_.data() + fields_.size() - Lanes::width * Record::field_count + lane;
+    for (int i = 0; i < Record::field_count; ++i) target[i * Lanes::width] = record.field(i);
+    ++size_;
+  }
+
+  std::vector<float> fields_;
+  int size_ = 0;
+};
+
+/// A point that is seen: `outgoing` is the unit direction to the eye, on the normal's side.
+struct Receiver {
+  glm::vec3 position, normal, outgoing;
+  const MaterialTable* material;
+};
+
+/// Outgoing radiance, RGB, at the receiver from all lights of the cache: one bounce, without visibility, N bands of
+/// the receiver's material (N <= its table's). Negative sums, which ringing can leave, are cut to zero.
+template <int N, int NE, Horizon method = Horizon::smoothstep>
+glm::vec3 gather(const HvlCache<NE>& cache, const Receiver& receiver) {
+  using Lanes = typename HvlCache<NE>::Lanes;
+  const glm::vec3 tangent = detail::tangent_towards(receiver.normal, receiver.outgoing);
+  const EvenSh<N, glm::vec3> material =
+      receiver.material->template with_cosine<N>(glm::dot(receiver.normal, receiver.outgoing));
+  ReceiverFrame<Lanes> frame;
+  for (int i = 0; i < 3; ++i) {
+    frame.position[i] = Lanes(receiver.position[i]);
+    frame.normal[i] = Lanes(receiver.normal[i]);
+    frame.tangent[i] = Lanes(tangent[i]);
+  }
+
+  Lanes sum[3] = {Lanes(0), Lanes(0), Lanes(0)};
+  for (int i = 0; i < cache.packet_count(); ++i) {
+    Lanes radiance[3];
+    hvl_radiance<N, NE, method>(cache.packet(i), frame, material, radiance);
+    for (int c = 0; c < 3; ++c) sum[c] = sum[c] + radiance[c];
+  }
+  return glm::max(glm::vec3(sum[0].sum(), sum[1].sum(), sum[2].sum()), glm::vec3(0));
+}
+
+}  // namespace zonal

@@ -9,5 +9,4 @@ zonal_say "building hvl-render ($zonal_jobs at a time)"
 cmake --build "$zonal_build" --target hvl-render -j "$zonal_jobs"
 zonal_say "rendering into out/"
 cd "$zonal_root"
-mkdir -p out
-"$zonal_build/examples/hvl-render/hvl-render" --compare --out out "$@"
+"$zonal_build/examples/hvl-render/hvl-render" --compare out "$@"

@@ -1,80 +1,49 @@
 #include "gather_hvl.hpp"
 
-#include <numeric>
-
-#include <zonal/basis/bands.hpp>
-#include <zonal/gather/hvl.hpp>
-
+#include "gather_bands.hpp"
 #include "scene.hpp"
 
 namespace hvl_render {
+
+extern template std::unique_ptr<Gatherer> make_gatherer_with<zonal::Horizon::none>(
+    const std::vector<zonal::VirtualLight>& lights, int bands, int emission_bands);
+extern template std::unique_ptr<Gatherer> make_gatherer_with<zonal::Horizon::smoothstep>(
+    const std::vector<zonal::VirtualLight>& lights, int bands, int emission_bands);
+extern template std::unique_ptr<Gatherer> make_gatherer_with<zonal::Horizon::exact>(
+    const std::vector<zonal::VirtualLight>& lights, int bands, int emission_bands);
+
 namespace {
 
-constexpr int most_bands = 10;
-constexpr int most_emission_bands = 3;
-
-template <int N, int NE, zonal::Horizon H>
-class HvlGatherer final : public Gatherer {
- public:
-  explicit HvlGatherer(const std::vector<zonal::VirtualLight>& lights) : cache_(lights) {}
-
-  glm::vec3 indirect_radiance(const Hit& hit, const glm::vec3& outgoing,
-                              const zonal::MaterialTable& material) const override {
-    // As in the HVL paper's figures, nothing stands between a virtual light and the receiver. A ray to each
-    // light's centre would go here, once the library can leave out lights.
-    return zonal::gather<N, NE, H>(cache_, zonal::Receiver{hit.position, hit.normal, outgoing, &material});
-  }
-
- private:
-  zonal::HvlCache<NE> cache_;
-};
-
-std::vector<int> one_to(int last) {
-  std::vector<int> numbers(static_cast<std::size_t>(last));
-  std::iota(numbers.begin(), numbers.end(), 1);
-  return numbers;
-}
-
-template <int N, int NE>
-std::unique_ptr<Gatherer> make_gatherer(const std::vector<zonal::VirtualLight>& lights, HorizonRule horizon) {
-  switch (horizon) {
+std::unique_ptr<Gatherer> find_gatherer(const std::vector<zonal::VirtualLight>& lights,
+                                        const Options& options) {
+  const int bands = options.bands;
+  const int emission_bands = options.emission_bands;
+  switch (options.horizon) {
     case HorizonRule::none:
-      return std::make_unique<HvlGatherer<N, NE, zonal::Horizon::none>>(lights);
+      return make_gatherer_with<zonal::Horizon::none>(lights, bands, emission_bands);
     case HorizonRule::exact:
-      return std::make_unique<HvlGatherer<N, NE, zonal::Horizon::exact>>(lights);
+      return make_gatherer_with<zonal::Horizon::exact>(lights, bands, emission_bands);
     case HorizonRule::smoothstep:
       break;
   }
-  return std::make_unique<HvlGatherer<N, NE, zonal::Horizon::smoothstep>>(lights);
+  return make_gatherer_with<zonal::Horizon::smoothstep>(lights, bands, emission_bands);
 }
 
 }  // namespace
 
 std::unique_ptr<Gatherer> make_gatherer(const std::vector<zonal::VirtualLight>& lights,
                                         const Options& options) {
-  std::unique_ptr<Gatherer> gatherer;
-  zonal::dispatch_bands<1, most_bands>(options.bands, [&](auto bands) {
-    zonal::dispatch_bands<1, most_emission_bands>(options.emission_bands, [&](auto emission) {
-      constexpr int N = bands;
-      constexpr int NE = emission;
-      gatherer = make_gatherer<N, NE>(lights, options.horizon);
-    });
-  });
+  std::unique_ptr<Gatherer> gatherer = find_gatherer(lights, options);
   if (!gatherer) throw InputError("these numbers of bands are not compiled in");
   return gatherer;
 }
 
 std::vector<int> gather_bands() {
-  return one_to(most_bands);
+  return {compiled_bands.begin(), compiled_bands.end()};
 }
-std::string gather_bands_text() {
-  return "1..." + std::to_string(most_bands);
-}
+
 std::vector<int> emission_bands() {
-  return one_to(most_emission_bands);
-}
-std::string emission_bands_text() {
-  return "1..." + std::to_string(most_emission_bands);
+  return {compiled_emission_bands.begin(), compiled_emission_bands.end()};
 }
 
 }  // namespace hvl_render

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 #include <vector>
 
 #include <zonal/gather/virtual_light.hpp>
@@ -32,8 +31,6 @@ std::unique_ptr<Gatherer> make_gatherer(const std::vector<zonal::VirtualLight>& 
 
 /// The numbers of bands that are compiled in: each costs compile time.
 std::vector<int> gather_bands();
-std::string gather_bands_text();
 std::vector<int> emission_bands();
-std::string emission_bands_text();
 
 }  // namespace hvl_render

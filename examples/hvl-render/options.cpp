@@ -90,12 +90,19 @@ CLI::Validator image_name() {
   return CLI::Validator(check, "");
 }
 
-CLI::Validator one_of(std::vector<int> allowed, const std::string& text) {
-  const Check check = [allowed = std::move(allowed), text](const std::string& given) -> std::string {
+/// 1|3|5
+std::string joined(const std::vector<int>& numbers) {
+  std::string text;
+  for (const int number : numbers) text += (text.empty() ? "" : "|") + std::to_string(number);
+  return text;
+}
+
+CLI::Validator one_of(const std::vector<int>& allowed) {
+  const Check check = [allowed](const std::string& given) -> std::string {
     int number = 0;
     const bool found =
         parse_number(given, number) && std::find(allowed.begin(), allowed.end(), number) != allowed.end();
-    return found ? std::string() : "'" + given + "' is not one of " + text;
+    return found ? std::string() : "'" + given + "' is not one of " + joined(allowed);
   };
   return CLI::Validator(check, "");
 }
@@ -235,14 +242,14 @@ void add_hvl_options(CLI::App& app, Options& options, std::string& radius) {
       ->capture_default_str()
       ->group(group);
   app.add_option("--bands", options.bands, "Bands of the receiver's material")
-      ->type_name(gather_bands_text())
-      ->check(one_of(gather_bands(), gather_bands_text()))
+      ->type_name(joined(gather_bands()))
+      ->check(one_of(gather_bands()))
       ->capture_default_str()
       ->group(group);
   app.add_option("--emission-bands", options.emission_bands,
                  "Bands of the light that a virtual light sends out")
-      ->type_name(emission_bands_text())
-      ->check(one_of(emission_bands(), emission_bands_text()))
+      ->type_name(joined(emission_bands()))
+      ->check(one_of(emission_bands()))
       ->capture_default_str()
       ->group(group);
   app.add_option("--radius", radius,

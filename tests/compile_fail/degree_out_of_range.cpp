@@ -1,4 +1,4 @@
-// expect-error: degree
+// expect-error: degree out of range
 #include <zonal/zonal.hpp>
 
 int main() {

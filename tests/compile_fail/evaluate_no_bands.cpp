@@ -1,4 +1,4 @@
-// expect-error: [Bb]and
+// expect-error: at least one band
 #include <array>
 #include <zonal/zonal.hpp>
 

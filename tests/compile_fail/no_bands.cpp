@@ -1,4 +1,4 @@
-// expect-error: [Bb]and
+// expect-error: at least one band
 #include <zonal/zonal.hpp>
 
 int main() {

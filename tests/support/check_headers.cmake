@@ -4,7 +4,7 @@ if(NOT compiler)
   return()
 endif()
 string(REPLACE " " ";" flags "${flags}")
-string(REPLACE "|" ";-isystem" system_dirs "-isystem${system_dirs}")
+string(REPLACE "|" ";-idirafter" system_dirs "${system_dirs}")  # not -isystem, which breaks on /usr/include
 file(GLOB std_units ${units}/std/*.cpp)
 file(GLOB render_units ${units}/render/*.cpp)
 foreach(standard 17 20 2b)

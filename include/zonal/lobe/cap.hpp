@@ -48,21 +48,26 @@ ZONAL_INLINE constexpr void project(const SphericalCap<T>& cap, Sink&& sink) {
   const auto is_small = T(0) < cap.cos_angle;
   const T cosine = abs(cap.cos_angle);
   const T sin2 = cap.sin_angle * cap.sin_angle;
-  const T t = sin2 / (T(1) + cosine);
+  const T t = select(cosine < T(0.5L), T(1) - cosine, sin2 / (T(1) + cosine));
   sink(Index<0>{}, T(constexpr_sqrt(kPi)) * select(is_small, t, T(1) + cosine));
 
-  // sin^2 a e_l and sin^2 a d_l; the small cap and its complement differ in the sign of the even degrees.
-  T e = sin2, d = T(0);
-  const T e_sign = select(is_small, T(1), T(-1));
+  // All times sin^2 a: e_l and d_l. For a cap narrow against the bands e_l stays near its first value, and adding each small d_l to it
+  // would round them away; so the d_l are summed apart. For a wide one e_l itself becomes small, and is summed.
+  const T apart = select(T(1 - 6.0L / (N * N)) < cosine, sin2, T(0));
+  T e = sin2, d = T(0), sum = sin2 - apart;
+  const T even_sign = select(is_small, T(1), T(-1));  // a cap and its complement differ in the even degrees
   unroll<1, N>([&](auto l) ZONAL_INLINE {
-    if constexpr (l == 2) d = T(-1) * (t * e);
+    if constexpr (l == 2) d = -(t * e);
     if constexpr (l > 2) d = T((l - 2.0L) / (l + 1)) * d - T((2 * l - 1.0L) / (l + 1)) * (t * e);
-    if constexpr (l > 1) e = e + d;
+    if constexpr (l > 1) {
+      sum = sum + d;
+      e = apart + sum;
+    }
     const T value = T(constexpr_sqrt(kPi * (2 * l + 1)) / 2) * e;
     if constexpr (l % 2 == 1) {
       sink(l, value);
     } else {
-      sink(l, e_sign * value);
+      sink(l, even_sign * value);
     }
   });
 }

@@ -29,10 +29,10 @@
 
 namespace zonal {
 
-/// The coefficients of one outgoing direction, RGB: with_cosine in units of 1 (albedo), without_cosine in the
-/// same. error: what the last refinement moved, max over all coefficients of both, relative to the largest
-/// coefficient of each; theta_nodes: the nodes of each of the two intervals of theta (and of phi) that
-/// refinement used.
+/// The coefficients, RGB, dimensionless, for one outgoing direction. `error` is the movement of the last
+/// refinement: the greatest over all coefficients of either kind, relative to the largest of that kind; the
+/// true error is smaller. `theta_nodes` is the number of nodes it used in each of the two intervals of theta,
+/// and in phi.
 template <int N>
 struct BrdfProjection {
   EvenSh<N, glm::dvec3> with_cosine{}, without_cosine{};
@@ -99,7 +99,7 @@ void add_azimuthal_moments(const F& brdf, const glm::dvec3& wo, double cos_theta
 /// Adds to both integrals the rows of theta between `mirror`, where the nodes crowd, and `end`. Y_l^m is its
 /// value at phi = 0 times cos(m phi), so each row needs the basis once.
 template <int N, class F>
-void add_theta_interval(const F& brdf, const glm::dvec3& wo, double low, double high,
+void add_theta_interval(const F& brdf, const glm::dvec3& wo, double mirror, double end,
                         const QuadratureRule& rule, BrdfProjection<N>& result) {
   const double width = end - mirror;
   if (width == 0.0) return;
@@ -141,12 +141,12 @@ BrdfProjection<N> project_brdf_once(const F& brdf, double cos_outgoing, const Qu
 /// The quadrature. A glossy lobe is a peak at the mirror direction, theta = theta_o and phi = pi. A uniform
 /// grid needs nodes in inverse proportion to the peak's width, and a coarse one can step over it twice and
 /// look converged. So the intervals are made to end at the peak: theta is split at theta_o, and phi runs over
-/// the half circle from pi to 0. Gauss-Legendre nodes crowd towards the end of an interval, n of them to 1.4
-/// / n^2 of its length; with the substitution theta = theta_o +- length s^2, phi = pi - pi s^2, to 2 / n^4.
-/// The number of nodes then grows with the fourth root of the sharpness, and the first rule already has nodes
-/// within 1e-5 of the peak. Inside the intervals the integrand is smooth: convergence is geometric, and the
-/// error of the finer of two rules is far below their difference. What the cosine and Y add, polynomials of
-/// degree N, is nothing to 64 nodes if N <= 32.
+/// the half circle from pi to 0. Gauss-Legendre nodes crowd towards the end of an interval, n of them to
+/// 1.4 / n^2 of its length; with the substitution theta = theta_o +- length s^2, phi = pi - pi s^2, to 2 /
+/// n^4. The number of nodes then grows with the fourth root of the sharpness, and the first rule already has
+/// nodes within 1e-5 of the peak. Inside the intervals the integrand is smooth: convergence is geometric, and
+/// the error of the finer of two rules is far below their difference. What the cosine and Y add, polynomials
+/// of degree N, is nothing to 64 nodes if N <= 32.
 template <int N, class F>
 BrdfProjection<N> project_brdf(const F& brdf, double cos_outgoing, double tolerance,
                                const ProjectionQuadrature& quadrature) {

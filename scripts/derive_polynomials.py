@@ -94,14 +94,14 @@ def in_x_and_y(m):
 
 
 def wrapped(first, factors):
-    """`first factor * factor * ...;` in lines of COLUMNS; a break stands before an operator outside inner parentheses."""
+    """`first factor * factor * ...;` in lines of COLUMNS, broken before a factor or else before a term."""
     line, lines = first + " * ".join(factors) + ";", []
     indent = " " * (len(first) - len(first.lstrip()) + 4)
     while len(line) > COLUMNS:
         depth, breaks = 0, {}
         for i, c in enumerate(line[:COLUMNS]):
             depth += (c == "(") - (c == ")")
-            if c == " " and line[i + 1] in "+-*" and line[i + 2] == " " and i > len(indent):
+            if c == " " and line[i + 1] in ("+-" if depth else "*") and line[i + 2] == " " and i > len(indent):
                 breaks.setdefault(depth, []).append(i)
         late = [b for d in sorted(breaks) for b in [breaks[d][-1]] if b > COLUMNS // 2]
         at = late[0]
@@ -161,7 +161,8 @@ namespace reference {{{{
 
 namespace detail {{{{
 template <long long p, long long q>
-inline constexpr long double root_over_pi = constexpr_sqrt(static_cast<long double>(p) / (static_cast<long double>(q) * kPi));
+inline constexpr long double root_over_pi =
+    constexpr_sqrt(static_cast<long double>(p) / (static_cast<long double>(q) * kPi));
 }}}}  // namespace detail
 
 /// evaluate<N>, 1 <= N <= {BANDS}, from the explicit polynomials at a unit vector: anything with v[0], v[1], v[2].
@@ -192,7 +193,8 @@ namespace reference {{{{
 
 namespace detail {{{{
 template <long long p, long long q>
-inline constexpr long double root_of_pi = constexpr_sqrt(static_cast<long double>(p) * kPi / static_cast<long double>(q));
+inline constexpr long double root_of_pi =
+    constexpr_sqrt(static_cast<long double>(p) * kPi / static_cast<long double>(q));
 }}}}  // namespace detail
 
 /// z_l of the indicator of the cap of all directions within an angle of the axis, 1 <= N <= {BANDS}, from the cosine

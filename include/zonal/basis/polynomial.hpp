@@ -14,7 +14,8 @@ namespace reference {
 
 namespace detail {
 template <long long p, long long q>
-inline constexpr long double root_over_pi = constexpr_sqrt(static_cast<long double>(p) / (static_cast<long double>(q) * kPi));
+inline constexpr long double root_over_pi =
+    constexpr_sqrt(static_cast<long double>(p) / (static_cast<long double>(q) * kPi));
 }  // namespace detail
 
 /// evaluate<N>, 1 <= N <= 10, from the explicit polynomials at a unit vector: anything with v[0], v[1], v[2].
@@ -74,43 +75,43 @@ constexpr Sh<N, component_t<Direction>> evaluate_polynomial(const Direction& dir
     sh(5, 5) = T(-root_over_pi<693, 512>) * x * ((x * x * x * x) - T(10) * (x * x) * (y * y) + T(5) * (y * y * y * y));
   }
   if constexpr (N > 6) {
-    sh(6, -6) = T(root_over_pi<3003, 512>) * x * y * (T(3) * (x * x * x * x) - T(10) * (x * x) * (y * y) + T(3)
-        * (y * y * y * y));
+    sh(6, -6) = T(root_over_pi<3003, 512>) * x * y * (T(3) * (x * x * x * x) - T(10) * (x * x) * (y * y)
+        + T(3) * (y * y * y * y));
     sh(6, -5) = T(-root_over_pi<9009, 512>) * z * y * (T(5) * (x * x * x * x) - T(10) * (x * x) * (y * y)
         + (y * y * y * y));
     sh(6, -4) = T(root_over_pi<819, 64>) * (T(11) * (z * z) - T(1)) * x * y * ((x * x) - (y * y));
     sh(6, -3) = T(-root_over_pi<1365, 512>) * z * (T(11) * (z * z) - T(3)) * y * (T(3) * (x * x) - (y * y));
     sh(6, -2) = T(root_over_pi<1365, 512>) * (T(33) * (z * z * z * z) - T(18) * (z * z) + T(1)) * x * y;
     sh(6, -1) = T(-root_over_pi<273, 256>) * z * (T(33) * (z * z * z * z) - T(30) * (z * z) + T(5)) * y;
-    sh(6, 0) = T(root_over_pi<13, 1024>) * (T(231) * (z * z * z * z * z * z) - T(315) * (z * z * z * z) + T(105)
-        * (z * z) - T(5));
+    sh(6, 0) = T(root_over_pi<13, 1024>) * (T(231) * (z * z * z * z * z * z) - T(315) * (z * z * z * z)
+        + T(105) * (z * z) - T(5));
     sh(6, 1) = T(-root_over_pi<273, 256>) * z * (T(33) * (z * z * z * z) - T(30) * (z * z) + T(5)) * x;
     sh(6, 2) = T(root_over_pi<1365, 2048>) * (T(33) * (z * z * z * z) - T(18) * (z * z) + T(1)) * ((x * x) - (y * y));
     sh(6, 3) = T(-root_over_pi<1365, 512>) * z * (T(11) * (z * z) - T(3)) * x * ((x * x) - T(3) * (y * y));
     sh(6, 4) = T(root_over_pi<819, 1024>) * (T(11) * (z * z) - T(1))
         * ((x * x * x * x) - T(6) * (x * x) * (y * y) + (y * y * y * y));
-    sh(6, 5) = T(-root_over_pi<9009, 512>) * z * x * ((x * x * x * x) - T(10) * (x * x) * (y * y) + T(5)
-        * (y * y * y * y));
-    sh(6, 6) = T(root_over_pi<3003, 2048>) * ((x * x * x * x * x * x) - T(15) * (x * x * x * x) * (y * y) + T(15)
-        * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
+    sh(6, 5) = T(-root_over_pi<9009, 512>) * z * x * ((x * x * x * x) - T(10) * (x * x) * (y * y)
+        + T(5) * (y * y * y * y));
+    sh(6, 6) = T(root_over_pi<3003, 2048>) * ((x * x * x * x * x * x) - T(15) * (x * x * x * x) * (y * y)
+        + T(15) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
   }
   if constexpr (N > 7) {
     sh(7, -7) = T(-root_over_pi<6435, 4096>) * y * (T(7) * (x * x * x * x * x * x) - T(35) * (x * x * x * x) * (y * y)
         + T(21) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
-    sh(7, -6) = T(root_over_pi<45045, 512>) * z * x * y * (T(3) * (x * x * x * x) - T(10) * (x * x) * (y * y) + T(3)
-        * (y * y * y * y));
+    sh(7, -6) = T(root_over_pi<45045, 512>) * z * x * y * (T(3) * (x * x * x * x) - T(10) * (x * x) * (y * y)
+        + T(3) * (y * y * y * y));
     sh(7, -5) = T(-root_over_pi<3465, 4096>) * (T(13) * (z * z) - T(1)) * y
         * (T(5) * (x * x * x * x) - T(10) * (x * x) * (y * y) + (y * y * y * y));
     sh(7, -4) = T(root_over_pi<3465, 64>) * z * (T(13) * (z * z) - T(3)) * x * y * ((x * x) - (y * y));
     sh(7, -3) = T(-root_over_pi<315, 4096>) * (T(143) * (z * z * z * z) - T(66) * (z * z) + T(3)) * y
         * (T(3) * (x * x) - (y * y));
     sh(7, -2) = T(root_over_pi<315, 512>) * z * (T(143) * (z * z * z * z) - T(110) * (z * z) + T(15)) * x * y;
-    sh(7, -1) = T(-root_over_pi<105, 4096>) * (T(429) * (z * z * z * z * z * z) - T(495) * (z * z * z * z) + T(135)
-        * (z * z) - T(5)) * y;
-    sh(7, 0) = T(root_over_pi<15, 1024>) * z * (T(429) * (z * z * z * z * z * z) - T(693) * (z * z * z * z) + T(315)
-        * (z * z) - T(35));
-    sh(7, 1) = T(-root_over_pi<105, 4096>) * (T(429) * (z * z * z * z * z * z) - T(495) * (z * z * z * z) + T(135)
-        * (z * z) - T(5)) * x;
+    sh(7, -1) = T(-root_over_pi<105, 4096>) * (T(429) * (z * z * z * z * z * z) - T(495) * (z * z * z * z)
+        + T(135) * (z * z) - T(5)) * y;
+    sh(7, 0) = T(root_over_pi<15, 1024>) * z * (T(429) * (z * z * z * z * z * z) - T(693) * (z * z * z * z)
+        + T(315) * (z * z) - T(35));
+    sh(7, 1) = T(-root_over_pi<105, 4096>) * (T(429) * (z * z * z * z * z * z) - T(495) * (z * z * z * z)
+        + T(135) * (z * z) - T(5)) * x;
     sh(7, 2) = T(root_over_pi<315, 2048>) * z * (T(143) * (z * z * z * z) - T(110) * (z * z) + T(15))
         * ((x * x) - (y * y));
     sh(7, 3) = T(-root_over_pi<315, 4096>) * (T(143) * (z * z * z * z) - T(66) * (z * z) + T(3)) * x
@@ -119,16 +120,16 @@ constexpr Sh<N, component_t<Direction>> evaluate_polynomial(const Direction& dir
         * ((x * x * x * x) - T(6) * (x * x) * (y * y) + (y * y * y * y));
     sh(7, 5) = T(-root_over_pi<3465, 4096>) * (T(13) * (z * z) - T(1)) * x
         * ((x * x * x * x) - T(10) * (x * x) * (y * y) + T(5) * (y * y * y * y));
-    sh(7, 6) = T(root_over_pi<45045, 2048>) * z * ((x * x * x * x * x * x) - T(15) * (x * x * x * x) * (y * y) + T(15)
-        * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
-    sh(7, 7) = T(-root_over_pi<6435, 4096>) * x * ((x * x * x * x * x * x) - T(21) * (x * x * x * x) * (y * y) + T(35)
-        * (x * x) * (y * y * y * y) - T(7) * (y * y * y * y * y * y));
+    sh(7, 6) = T(root_over_pi<45045, 2048>) * z * ((x * x * x * x * x * x) - T(15) * (x * x * x * x) * (y * y)
+        + T(15) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
+    sh(7, 7) = T(-root_over_pi<6435, 4096>) * x * ((x * x * x * x * x * x) - T(21) * (x * x * x * x) * (y * y)
+        + T(35) * (x * x) * (y * y * y * y) - T(7) * (y * y * y * y * y * y));
   }
   if constexpr (N > 8) {
     sh(8, -8) = T(root_over_pi<109395, 1024>) * x * y * ((x * x * x * x * x * x) - T(7) * (x * x * x * x) * (y * y)
         + T(7) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
-    sh(8, -7) = T(-root_over_pi<109395, 4096>) * z * y * (T(7) * (x * x * x * x * x * x) - T(35) * (x * x * x * x)
-        * (y * y) + T(21) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
+    sh(8, -7) = T(-root_over_pi<109395, 4096>) * z * y * (T(7) * (x * x * x * x * x * x)
+        - T(35) * (x * x * x * x) * (y * y) + T(21) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
     sh(8, -6) = T(root_over_pi<7293, 2048>) * (T(15) * (z * z) - T(1)) * x * y
         * (T(3) * (x * x * x * x) - T(10) * (x * x) * (y * y) + T(3) * (y * y * y * y));
     sh(8, -5) = T(-root_over_pi<153153, 4096>) * z * (T(5) * (z * z) - T(1)) * y
@@ -137,16 +138,16 @@ constexpr Sh<N, component_t<Direction>> evaluate_polynomial(const Direction& dir
         * ((x * x) - (y * y));
     sh(8, -3) = T(-root_over_pi<19635, 4096>) * z * (T(39) * (z * z * z * z) - T(26) * (z * z) + T(3)) * y
         * (T(3) * (x * x) - (y * y));
-    sh(8, -2) = T(root_over_pi<5355, 2048>) * (T(143) * (z * z * z * z * z * z) - T(143) * (z * z * z * z) + T(33)
-        * (z * z) - T(1)) * x * y;
+    sh(8, -2) = T(root_over_pi<5355, 2048>) * (T(143) * (z * z * z * z * z * z) - T(143) * (z * z * z * z)
+        + T(33) * (z * z) - T(1)) * x * y;
     sh(8, -1) = T(-root_over_pi<153, 4096>) * z * (T(715) * (z * z * z * z * z * z) - T(1001) * (z * z * z * z)
         + T(385) * (z * z) - T(35)) * y;
-    sh(8, 0) = T(root_over_pi<17, 65536>) * (T(6435) * (z * z * z * z * z * z * z * z) - T(12012)
-        * (z * z * z * z * z * z) + T(6930) * (z * z * z * z) - T(1260) * (z * z) + T(35));
-    sh(8, 1) = T(-root_over_pi<153, 4096>) * z * (T(715) * (z * z * z * z * z * z) - T(1001) * (z * z * z * z) + T(385)
-        * (z * z) - T(35)) * x;
-    sh(8, 2) = T(root_over_pi<5355, 8192>) * (T(143) * (z * z * z * z * z * z) - T(143) * (z * z * z * z) + T(33)
-        * (z * z) - T(1)) * ((x * x) - (y * y));
+    sh(8, 0) = T(root_over_pi<17, 65536>) * (T(6435) * (z * z * z * z * z * z * z * z)
+        - T(12012) * (z * z * z * z * z * z) + T(6930) * (z * z * z * z) - T(1260) * (z * z) + T(35));
+    sh(8, 1) = T(-root_over_pi<153, 4096>) * z * (T(715) * (z * z * z * z * z * z) - T(1001) * (z * z * z * z)
+        + T(385) * (z * z) - T(35)) * x;
+    sh(8, 2) = T(root_over_pi<5355, 8192>) * (T(143) * (z * z * z * z * z * z) - T(143) * (z * z * z * z)
+        + T(33) * (z * z) - T(1)) * ((x * x) - (y * y));
     sh(8, 3) = T(-root_over_pi<19635, 4096>) * z * (T(39) * (z * z * z * z) - T(26) * (z * z) + T(3)) * x
         * ((x * x) - T(3) * (y * y));
     sh(8, 4) = T(root_over_pi<11781, 16384>) * (T(65) * (z * z * z * z) - T(26) * (z * z) + T(1))
@@ -158,16 +159,16 @@ constexpr Sh<N, component_t<Direction>> evaluate_polynomial(const Direction& dir
         - (y * y * y * y * y * y));
     sh(8, 7) = T(-root_over_pi<109395, 4096>) * z * x * ((x * x * x * x * x * x) - T(21) * (x * x * x * x) * (y * y)
         + T(35) * (x * x) * (y * y * y * y) - T(7) * (y * y * y * y * y * y));
-    sh(8, 8) = T(root_over_pi<109395, 65536>) * ((x * x * x * x * x * x * x * x) - T(28) * (x * x * x * x * x * x)
-        * (y * y) + T(70) * (x * x * x * x) * (y * y * y * y) - T(28) * (x * x) * (y * y * y * y * y * y)
-        + (y * y * y * y * y * y * y * y));
+    sh(8, 8) = T(root_over_pi<109395, 65536>) * ((x * x * x * x * x * x * x * x)
+        - T(28) * (x * x * x * x * x * x) * (y * y) + T(70) * (x * x * x * x) * (y * y * y * y) - T(28) * (x * x)
+        * (y * y * y * y * y * y) + (y * y * y * y * y * y * y * y));
   }
   if constexpr (N > 9) {
-    sh(9, -9) = T(-root_over_pi<230945, 131072>) * y * (T(9) * (x * x * x * x * x * x * x * x) - T(84)
-        * (x * x * x * x * x * x) * (y * y) + T(126) * (x * x * x * x) * (y * y * y * y) - T(36) * (x * x)
+    sh(9, -9) = T(-root_over_pi<230945, 131072>) * y * (T(9) * (x * x * x * x * x * x * x * x)
+        - T(84) * (x * x * x * x * x * x) * (y * y) + T(126) * (x * x * x * x) * (y * y * y * y) - T(36) * (x * x)
         * (y * y * y * y * y * y) + (y * y * y * y * y * y * y * y));
-    sh(9, -8) = T(root_over_pi<2078505, 1024>) * z * x * y * ((x * x * x * x * x * x) - T(7) * (x * x * x * x)
-        * (y * y) + T(7) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
+    sh(9, -8) = T(root_over_pi<2078505, 1024>) * z * x * y * ((x * x * x * x * x * x)
+        - T(7) * (x * x * x * x) * (y * y) + T(7) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
     sh(9, -7) = T(-root_over_pi<122265, 131072>) * (T(17) * (z * z) - T(1)) * y
         * (T(7) * (x * x * x * x * x * x) - T(35) * (x * x * x * x) * (y * y) + T(21) * (x * x) * (y * y * y * y)
         - (y * y * y * y * y * y));
@@ -177,20 +178,20 @@ constexpr Sh<N, component_t<Direction>> evaluate_polynomial(const Direction& dir
         * (T(5) * (x * x * x * x) - T(10) * (x * x) * (y * y) + (y * y * y * y));
     sh(9, -4) = T(root_over_pi<855855, 1024>) * z * (T(17) * (z * z * z * z) - T(10) * (z * z) + T(1)) * x * y
         * ((x * x) - (y * y));
-    sh(9, -3) = T(-root_over_pi<21945, 32768>) * (T(221) * (z * z * z * z * z * z) - T(195) * (z * z * z * z) + T(39)
-        * (z * z) - T(1)) * y * (T(3) * (x * x) - (y * y));
-    sh(9, -2) = T(root_over_pi<9405, 2048>) * z * (T(221) * (z * z * z * z * z * z) - T(273) * (z * z * z * z) + T(91)
-        * (z * z) - T(7)) * x * y;
-    sh(9, -1) = T(-root_over_pi<855, 65536>) * (T(2431) * (z * z * z * z * z * z * z * z) - T(4004)
-        * (z * z * z * z * z * z) + T(2002) * (z * z * z * z) - T(308) * (z * z) + T(7)) * y;
-    sh(9, 0) = T(root_over_pi<19, 65536>) * z * (T(12155) * (z * z * z * z * z * z * z * z) - T(25740)
-        * (z * z * z * z * z * z) + T(18018) * (z * z * z * z) - T(4620) * (z * z) + T(315));
-    sh(9, 1) = T(-root_over_pi<855, 65536>) * (T(2431) * (z * z * z * z * z * z * z * z) - T(4004)
-        * (z * z * z * z * z * z) + T(2002) * (z * z * z * z) - T(308) * (z * z) + T(7)) * x;
-    sh(9, 2) = T(root_over_pi<9405, 8192>) * z * (T(221) * (z * z * z * z * z * z) - T(273) * (z * z * z * z) + T(91)
-        * (z * z) - T(7)) * ((x * x) - (y * y));
-    sh(9, 3) = T(-root_over_pi<21945, 32768>) * (T(221) * (z * z * z * z * z * z) - T(195) * (z * z * z * z) + T(39)
-        * (z * z) - T(1)) * x * ((x * x) - T(3) * (y * y));
+    sh(9, -3) = T(-root_over_pi<21945, 32768>) * (T(221) * (z * z * z * z * z * z) - T(195) * (z * z * z * z)
+        + T(39) * (z * z) - T(1)) * y * (T(3) * (x * x) - (y * y));
+    sh(9, -2) = T(root_over_pi<9405, 2048>) * z * (T(221) * (z * z * z * z * z * z) - T(273) * (z * z * z * z)
+        + T(91) * (z * z) - T(7)) * x * y;
+    sh(9, -1) = T(-root_over_pi<855, 65536>) * (T(2431) * (z * z * z * z * z * z * z * z)
+        - T(4004) * (z * z * z * z * z * z) + T(2002) * (z * z * z * z) - T(308) * (z * z) + T(7)) * y;
+    sh(9, 0) = T(root_over_pi<19, 65536>) * z * (T(12155) * (z * z * z * z * z * z * z * z)
+        - T(25740) * (z * z * z * z * z * z) + T(18018) * (z * z * z * z) - T(4620) * (z * z) + T(315));
+    sh(9, 1) = T(-root_over_pi<855, 65536>) * (T(2431) * (z * z * z * z * z * z * z * z)
+        - T(4004) * (z * z * z * z * z * z) + T(2002) * (z * z * z * z) - T(308) * (z * z) + T(7)) * x;
+    sh(9, 2) = T(root_over_pi<9405, 8192>) * z * (T(221) * (z * z * z * z * z * z) - T(273) * (z * z * z * z)
+        + T(91) * (z * z) - T(7)) * ((x * x) - (y * y));
+    sh(9, 3) = T(-root_over_pi<21945, 32768>) * (T(221) * (z * z * z * z * z * z) - T(195) * (z * z * z * z)
+        + T(39) * (z * z) - T(1)) * x * ((x * x) - T(3) * (y * y));
     sh(9, 4) = T(root_over_pi<855855, 16384>) * z * (T(17) * (z * z * z * z) - T(10) * (z * z) + T(1))
         * ((x * x * x * x) - T(6) * (x * x) * (y * y) + (y * y * y * y));
     sh(9, 5) = T(-root_over_pi<24453, 32768>) * (T(85) * (z * z * z * z) - T(30) * (z * z) + T(1)) * x
@@ -199,13 +200,13 @@ constexpr Sh<N, component_t<Direction>> evaluate_polynomial(const Direction& dir
         * ((x * x * x * x * x * x) - T(15) * (x * x * x * x) * (y * y) + T(15) * (x * x) * (y * y * y * y)
         - (y * y * y * y * y * y));
     sh(9, 7) = T(-root_over_pi<122265, 131072>) * (T(17) * (z * z) - T(1)) * x
-        * ((x * x * x * x * x * x) - T(21) * (x * x * x * x) * (y * y) + T(35) * (x * x) * (y * y * y * y) - T(7)
-        * (y * y * y * y * y * y));
-    sh(9, 8) = T(root_over_pi<2078505, 65536>) * z * ((x * x * x * x * x * x * x * x) - T(28) * (x * x * x * x * x * x)
-        * (y * y) + T(70) * (x * x * x * x) * (y * y * y * y) - T(28) * (x * x) * (y * y * y * y * y * y)
-        + (y * y * y * y * y * y * y * y));
-    sh(9, 9) = T(-root_over_pi<230945, 131072>) * x * ((x * x * x * x * x * x * x * x) - T(36)
-        * (x * x * x * x * x * x) * (y * y) + T(126) * (x * x * x * x) * (y * y * y * y) - T(84) * (x * x)
+        * ((x * x * x * x * x * x) - T(21) * (x * x * x * x) * (y * y) + T(35) * (x * x) * (y * y * y * y)
+        - T(7) * (y * y * y * y * y * y));
+    sh(9, 8) = T(root_over_pi<2078505, 65536>) * z * ((x * x * x * x * x * x * x * x)
+        - T(28) * (x * x * x * x * x * x) * (y * y) + T(70) * (x * x * x * x) * (y * y * y * y) - T(28) * (x * x)
+        * (y * y * y * y * y * y) + (y * y * y * y * y * y * y * y));
+    sh(9, 9) = T(-root_over_pi<230945, 131072>) * x * ((x * x * x * x * x * x * x * x)
+        - T(36) * (x * x * x * x * x * x) * (y * y) + T(126) * (x * x * x * x) * (y * y * y * y) - T(84) * (x * x)
         * (y * y * y * y * y * y) + T(9) * (y * y * y * y * y * y * y * y));
   }
   return sh;

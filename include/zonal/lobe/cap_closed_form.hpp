@@ -15,7 +15,8 @@ namespace reference {
 
 namespace detail {
 template <long long p, long long q>
-inline constexpr long double root_of_pi = constexpr_sqrt(static_cast<long double>(p) * kPi / static_cast<long double>(q));
+inline constexpr long double root_of_pi =
+    constexpr_sqrt(static_cast<long double>(p) * kPi / static_cast<long double>(q));
 }  // namespace detail
 
 /// z_l of the indicator of the cap of all directions within an angle of the axis, 1 <= N <= 10, from the cosine

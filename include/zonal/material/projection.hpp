@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <glm/vec3.hpp>
 
 #include "../basis/evaluate.hpp"
@@ -73,6 +74,20 @@ template <int N>
 double relative_movement(const EvenSh<N, glm::dvec3>& from, const EvenSh<N, glm::dvec3>& to) {
   const double scale = largest(to);
   return scale > 0.0 ? largest(to - from) / scale : largest(from);
+}
+
+/// The projection of a sum of two BRDFs. Their errors add up before they are set against the larger
+/// coefficients.
+template <int N>
+BrdfProjection<N> sum(const BrdfProjection<N>& a, const BrdfProjection<N>& b) {
+  const auto relative_error = [&](auto kind) {
+    const double scale = largest(a.*kind + b.*kind);
+    return scale > 0.0 ? (a.error * largest(a.*kind) + b.error * largest(b.*kind)) / scale : 0.0;
+  };
+  using Projection = BrdfProjection<N>;
+  return {a.with_cosine + b.with_cosine, a.without_cosine + b.without_cosine,
+          std::max(relative_error(&Projection::with_cosine), relative_error(&Projection::without_cosine)),
+          std::max(a.theta_nodes, b.theta_nodes)};
 }
 
 /// Adds to `moments` the integrals of f cos(m phi), m < N, over the full circle of wi at the angle theta from

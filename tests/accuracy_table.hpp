@@ -1,0 +1,54 @@
+// The greatest errors that zonal promises, once: the tests read them from here, and so does docs/accuracy.md.
+#pragma once
+
+#include <stdexcept>
+#include <string_view>
+
+/// One promise: the greatest error of a function in a scalar type, over a range, at a number of bands (0: has none).
+struct Accuracy {
+  std::string_view function;
+  std::string_view scalar;
+  int bands;
+  std::string_view range;
+  std::string_view unit;  // the error is measured in this
+  double bound;
+};
+
+inline constexpr std::string_view kAllDirections = "all unit vectors, poles included";
+inline constexpr std::string_view kAllCosines = "-1 to 1";
+inline constexpr std::string_view kOfTheDegree = "sqrt((2l+1)/4pi)";
+inline constexpr std::string_view kUlpOfResult = "ulp of the result";
+inline constexpr std::string_view kUlpOfPi = "ulp of pi";
+
+inline constexpr Accuracy kAccuracyTable[] = {
+    {"evaluate", "float", 5, kAllDirections, kOfTheDegree, 1e-6},
+    {"evaluate", "float", 10, kAllDirections, kOfTheDegree, 3e-6},
+    {"evaluate", "float", 21, kAllDirections, kOfTheDegree, 1.2e-5},
+    {"evaluate", "double", 21, kAllDirections, kOfTheDegree, 1e-13},
+    {"evaluate_even", "float", 5, kAllDirections, kOfTheDegree, 1e-6},
+    {"evaluate_even", "float", 10, kAllDirections, kOfTheDegree, 3e-6},
+    {"evaluate_even", "float", 21, kAllDirections, kOfTheDegree, 1.2e-5},
+    {"evaluate_even", "double", 21, kAllDirections, kOfTheDegree, 1e-13},
+    {"evaluate_zonal", "float", 5, kAllCosines, kOfTheDegree, 1e-6},
+    {"evaluate_zonal", "float", 10, kAllCosines, kOfTheDegree, 3e-6},
+    {"evaluate_zonal", "float", 21, kAllCosines, kOfTheDegree, 1.2e-5},
+    {"evaluate_zonal", "double", 21, kAllCosines, kOfTheDegree, 1e-13},
+    {"asin", "float", 0, kAllCosines, kUlpOfResult, 2},
+    {"asin", "double", 0, kAllCosines, kUlpOfResult, 2},
+    {"acos", "float", 0, kAllCosines, kUlpOfPi, 1},
+    {"acos", "double", 0, kAllCosines, kUlpOfPi, 1},
+    {"angle_from", "float", 0, "0 to pi", kUlpOfPi, 1.5},
+    {"angle_from", "double", 0, "0 to pi", kUlpOfPi, 1.5},
+};
+
+/// The bound of the one row for this function, scalar and number of bands.
+constexpr double accuracy_bound(std::string_view function, std::string_view scalar, int bands = 0) {
+  for (const Accuracy& row : kAccuracyTable) {
+    if (row.function == function && row.scalar == scalar && row.bands == bands) return row.bound;
+  }
+  throw std::invalid_argument("no such row in the table of accuracy");
+}
+
+/// "float" or "double".
+template <class T>
+inline constexpr std::string_view scalar_name = sizeof(T) == sizeof(float) ? "float" : "double";

@@ -1,0 +1,195 @@
+// The promises of the accuracy table for the inverse trigonometry, in float, double and packets.
+#include <zonal/scalar/dual.hpp>
+#include <zonal/scalar/math.hpp>
+#include <zonal/scalar/packet.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "../accuracy_table.hpp"
+#include "../catch.hpp"
+
+namespace {
+
+constexpr long double pi = 3.14159265358979323846264338327950288L;
+
+template <class T>
+long double ulp(long double value) {
+  const T magnitude = std::abs(static_cast<T>(value));
+  return static_cast<long double>(std::nextafter(magnitude, std::numeric_limits<T>::infinity())) -
+         static_cast<long double>(magnitude);
+}
+
+/// -1 to 1: uniform, at every power of two below 1, and at every such distance from 1/2 and 1, on either side of 0.
+template <class T>
+std::vector<T> sines() {
+  std::vector<T> values{T(0), T(0.5), T(1)};
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform;
+  for (int i = 0; i < 200000; ++i) {
+    const double small = std::exp2(-30 * uniform(random)), u = uniform(random);
+    for (const double v : {u, small, 0.5 - small / 2, 0.5 + small / 2, 1 - small}) values.push_back(static_cast<T>(v));
+  }
+  const std::size_t half = values.size();
+  for (std::size_t i = 0; i < half; ++i) values.push_back(-values[i]);
+  while (values.size() % 16 != 0) values.push_back(T(1));
+  return values;
+}
+
+template <class T>
+struct Worst {
+  long double error = 0;
+  T input{};
+  void meet(long double e, T at) {
+    if (!(e <= error)) error = e, input = at;
+  }
+};
+
+/// f in groups of S::width lanes, or one by one.
+template <class S, class T, class F>
+std::vector<T> map(const std::vector<T>& inputs, F f) {
+  std::vector<T> results(inputs.size());
+  if constexpr (std::is_same_v<S, T>) {
+    for (std::size_t i = 0; i < inputs.size(); ++i) results[i] = f(inputs[i]);
+  } else {
+    for (std::size_t i = 0; i < inputs.size(); i += S::width) f(S::load(&inputs[i])).store(&results[i]);
+  }
+  return results;
+}
+
+template <class S, class T>
+void check_inverse_sines() {
+  const std::vector<T> inputs = sines<T>();
+  const auto asins = map<S>(inputs, [](const auto& x) { return zonal::asin(x); });
+  const auto acoses = map<S>(inputs, [](const auto& x) { return zonal::acos(x); });
+  Worst<T> asin_error, acos_error;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const long double x = inputs[i], exact = std::asin(x);
+    asin_error.meet(std::abs(static_cast<long double>(asins[i]) - exact) / ulp<T>(exact), inputs[i]);
+    acos_error.meet(std::abs(static_cast<long double>(acoses[i]) - std::acos(x)) / ulp<T>(pi), inputs[i]);
+  }
+  CAPTURE(scalar_name<T>, sizeof(S) / sizeof(T), asin_error.input, acos_error.input);
+  CHECK(asin_error.error <= accuracy_bound("asin", scalar_name<T>));
+  CHECK(acos_error.error <= accuracy_bound("acos", scalar_name<T>));
+}
+
+template <class S, class T>
+void check_angles() {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> uniform;
+  Worst<T> worst;
+  std::array<T, 16> cosines, sines_, results;
+  for (int i = 0; i < 40000; ++i) {
+    for (std::size_t lane = 0; lane < 16; ++lane) {
+      const double small = std::exp2(-40 * uniform(random)), quarter = static_cast<double>(pi) / 2;
+      const double offset = lane % 2 ? small : quarter * uniform(random);
+      const double angle = lane % 8 < 2 ? offset : lane % 8 < 4 ? 2 * quarter - offset
+                           : lane % 8 < 6 ? quarter - offset : quarter + offset;
+      cosines[lane] = static_cast<T>(std::cos(angle));
+      sines_[lane] = static_cast<T>(std::sin(angle));
+    }
+    if constexpr (std::is_same_v<S, T>) {
+      for (std::size_t lane = 0; lane < 16; ++lane) results[lane] = zonal::angle_from(cosines[lane], sines_[lane]);
+    } else {
+      for (std::size_t lane = 0; lane < 16; lane += S::width) {
+        zonal::angle_from(S::load(&cosines[lane]), S::load(&sines_[lane])).store(&results[lane]);
+      }
+    }
+    for (std::size_t lane = 0; lane < 16; ++lane) {
+      const long double exact =
+          std::atan2(static_cast<long double>(sines_[lane]), static_cast<long double>(cosines[lane]));
+      worst.meet(std::abs(static_cast<long double>(results[lane]) - exact) / ulp<T>(pi), cosines[lane]);
+    }
+  }
+  CAPTURE(scalar_name<T>, sizeof(S) / sizeof(T), worst.input);
+  CHECK(worst.error <= accuracy_bound("angle_from", scalar_name<T>));
+}
+
+template <class S, class T>
+void check_small_angles() {
+  for (int i = 1; i < 36; ++i) {
+    const T angle = static_cast<T>(std::exp2(-i));
+    const T cosine = std::cos(angle), sine = std::sin(angle);
+    const S result = zonal::angle_from(S(cosine), S(sine));
+    T value;
+    if constexpr (std::is_same_v<S, T>) value = result;
+    else value = result[0];
+    CAPTURE(i);
+    CHECK(std::abs(static_cast<long double>(value) - static_cast<long double>(angle)) <= 3 * ulp<T>(angle));
+  }
+}
+
+using zonal::Packet;
+
+}  // namespace
+
+TEST_CASE("asin and acos are as accurate as promised") {
+  check_inverse_sines<float, float>();
+  check_inverse_sines<double, double>();
+  check_inverse_sines<Packet<float, 4>, float>();
+  check_inverse_sines<Packet<float, 8>, float>();
+  check_inverse_sines<Packet<float, 16>, float>();
+  check_inverse_sines<Packet<double, 2>, double>();
+  check_inverse_sines<Packet<double, 4>, double>();
+  check_inverse_sines<Packet<double, 8>, double>();
+}
+
+TEST_CASE("angle_from is as accurate as promised at every angle") {
+  check_angles<float, float>();
+  check_angles<double, double>();
+  check_angles<Packet<float, 8>, float>();
+  check_angles<Packet<float, 16>, float>();
+  check_angles<Packet<double, 4>, double>();
+  check_angles<Packet<double, 8>, double>();
+}
+
+TEST_CASE("angle_from keeps the relative accuracy of small angles") {
+  check_small_angles<float, float>();
+  check_small_angles<double, double>();
+  check_small_angles<Packet<float, 8>, float>();
+}
+
+TEST_CASE("asin, acos and angle_from at their ends") {
+  CHECK(zonal::asin(0.0) == 0);
+  CHECK(zonal::asin(1.0) == Catch::Approx(static_cast<double>(pi / 2)).epsilon(1e-16));
+  CHECK(zonal::asin(-1.0) == -zonal::asin(1.0));
+  CHECK(zonal::acos(1.0) == 0);
+  CHECK(zonal::acos(1.0F) == 0);
+  CHECK(zonal::angle_from(1.0, 0.0) == 0);
+  CHECK(zonal::angle_from(-1.0, 0.0) == Catch::Approx(static_cast<double>(pi)).epsilon(1e-16));
+  CHECK(zonal::angle_from(0.0, 1.0) == Catch::Approx(static_cast<double>(pi / 2)).epsilon(1e-16));
+  // A cosine rounded beyond 1 is not a NaN.
+  CHECK(zonal::angle_from(1.0000001F, 1e-4F) == Catch::Approx(1e-4F));
+  CHECK(zonal::angle_from(1e-4F, 1.0000001F) == Catch::Approx(static_cast<float>(pi / 2) - 1e-4F));
+}
+
+TEST_CASE("min, max, abs, select and clamp of the built-in scalars") {
+  CHECK(zonal::min(2.0F, 3.0F) == 2);
+  CHECK(zonal::min(3.0F, 2.0F) == 2);
+  CHECK(zonal::max(2.0F, 3.0F) == 3);
+  CHECK(zonal::max(3.0F, 2.0F) == 3);
+  CHECK(zonal::abs(-2.0) == 2);
+  CHECK(zonal::abs(2.0) == 2);
+  CHECK(zonal::select(true, 1.0, 2.0) == 1);
+  CHECK(zonal::select(false, 1.0, 2.0) == 2);
+  CHECK(zonal::clamp(5.0, 1.0, 3.0) == 3);
+  CHECK(zonal::clamp(0.0, 1.0, 3.0) == 1);
+  CHECK(zonal::clamp(2.0, 1.0, 3.0) == 2);
+}
+
+TEST_CASE("constexpr_sqrt is the square root to the last bit or one beside it") {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> exponent(-30, 29);
+  for (int i = 0; i < 10000; ++i) {
+    const long double x = std::pow(10.0L, static_cast<long double>(exponent(random)));
+    CAPTURE(x);
+    REQUIRE(std::abs(zonal::constexpr_sqrt(x) - std::sqrt(x)) <= ulp<long double>(std::sqrt(x)));
+  }
+  CHECK(zonal::constexpr_sqrt(0) == 0);
+  CHECK(zonal::constexpr_sqrt(4) == 2);
+}

@@ -89,7 +89,7 @@ std::optional<Image> load_reference(const Options& options) {
 struct Renderers {
   const Scene& scene;
   const RayCaster& caster;
-  std::vector<zonal::MaterialTable> tables;
+  MaterialTables tables;
   std::unique_ptr<Gatherer> gatherer;  // null: no virtual lights
   std::optional<PathTracer> paths;
 };
@@ -98,12 +98,11 @@ void prepare_lights(Renderers& renderers, Report& report) {
   const Options& options = report.options;
   renderers.tables = report.times.time(stage_name::materials,
                                        [&] { return project_materials(renderers.scene.materials, options); });
-  for (const zonal::MaterialTable& material : renderers.tables) {
-    report.material_error = std::max(report.material_error, static_cast<double>(material.achieved_error()));
-  }
+  report.material_error = renderers.tables.error;
   throw_if_interrupted();
   report.times.time(stage_name::lights, [&] {
-    const auto lights = shoot_virtual_lights(renderers.scene, renderers.caster, renderers.tables, options);
+    const auto lights =
+        shoot_virtual_lights(renderers.scene, renderers.caster, renderers.tables.emitting, options);
     const auto side = static_cast<std::size_t>(map_side(options.lights));
     report.counts.map_lights = side * side;
     report.counts.virtual_lights = lights.size();
@@ -165,7 +164,7 @@ void render_slice(const Renderers& renderers, Slice slice, Pictures& pictures, R
       add_radiance(pictures.hvl, hits, stage(stage_name::gather, costs.gather),
                    [&](const Hit& hit, std::size_t) {
                      return renderers.gatherer->indirect_radiance(hit, towards_camera(scene, hit),
-                                                                  renderers.tables[hit.material]);
+                                                                  renderers.tables.receiving[hit.material]);
                    });
     });
   }
@@ -258,7 +257,7 @@ void run(const Options& options) {
       report.times.time(stage_name::scene, [&] { return std::make_unique<RayCaster>(scene); });
   report.counts.triangles = scene.mesh.triangles.size();
   report.counts.materials = scene.materials.size();
-  Renderers renderers{scene, *caster, {}, nullptr, std::nullopt};
+  Renderers renderers{scene, *caster, MaterialTables(), nullptr, std::nullopt};
   if (options.needs_lights()) prepare_lights(renderers, report);
   if (options.needs_paths()) prepare_paths(renderers, report);
 

@@ -5,6 +5,7 @@
 
 #include <tbb/parallel_for.h>
 #include <zonal/gather/radius.hpp>
+#include <zonal/transform/window.hpp>
 
 namespace hvl_render {
 namespace {
@@ -38,9 +39,21 @@ void set_radii(std::vector<zonal::VirtualLight>& map, int side, const Spotlight&
                                      options.radius_factor);
       break;
     case RadiusRule::fixed:
-      for (zonal::VirtualLight& light : map) light.radius = options.fixed_radius;
+      zonal::set_fixed_radii(map.data(), side * side, options.fixed_radius);
       break;
   }
+}
+
+zonal::Window window_of(WindowRule rule) {
+  switch (rule) {
+    case WindowRule::hann:
+      return zonal::Window::hann;
+    case WindowRule::sinc:
+      return zonal::Window::sinc;
+    case WindowRule::none:
+      break;
+  }
+  return zonal::Window::none;
 }
 
 }  // namespace
@@ -66,13 +79,16 @@ std::vector<zonal::VirtualLight> shoot_virtual_lights(const Scene& scene, const 
   return map;
 }
 
-std::vector<zonal::MaterialTable> project_materials(const std::vector<Material>& materials,
-                                                    const Options& options) {
+MaterialTables project_materials(const std::vector<Material>& materials, const Options& options) {
   const int bands = std::max(options.bands, options.emission_bands);
   const auto for_each = [](int count, const auto& body) { tbb::parallel_for(0, count, body); };
-  std::vector<zonal::MaterialTable> tables;
+  const zonal::Window window = window_of(options.window);
+  MaterialTables tables;
   for (const Material& material : materials) {
-    tables.push_back(zonal::project_material(material.brdf, bands, 1e-4, for_each));
+    const zonal::MaterialTable table = zonal::project_material(material.brdf, bands, 1e-4, for_each);
+    tables.receiving.push_back(table.windowed(window, options.bands));
+    tables.emitting.push_back(table.windowed(window, options.emission_bands));
+    tables.error = std::max(tables.error, table.achieved_error());
   }
   return tables;
 }

@@ -11,9 +11,15 @@
 
 namespace hvl_render {
 
-/// Every material of a scene, projected.
-std::vector<zonal::MaterialTable> project_materials(const std::vector<Material>& materials,
-                                                    const Options& options);
+/// A scene's materials, projected: windowed for the bands with which a receiver reads them, and for those of
+/// a virtual light's emission.
+struct MaterialTables {
+  std::vector<zonal::MaterialTable> receiving;
+  std::vector<zonal::MaterialTable> emitting;
+  double error = 0.0;  // greatest of the projections, of each table's largest coefficient
+};
+
+MaterialTables project_materials(const std::vector<Material>& materials, const Options& options);
 
 /// The side of the square map that holds at least `lights`.
 int map_side(int lights);

@@ -14,7 +14,8 @@ constexpr int z_bins = 12, phi_bins = 12, bins = z_bins * phi_bins;
 
 int bin_of(const glm::vec3& d) {
   const double turn = std::atan2(double(d.y), double(d.x)) / (2.0 * pi) + 0.5;
-  const int z = std::min(int(double(d.z) * z_bins), z_bins - 1), phi = std::min(int(turn * phi_bins), phi_bins - 1);
+  const int z = std::min(int(double(d.z) * z_bins), z_bins - 1),
+            phi = std::min(int(turn * phi_bins), phi_bins - 1);
   return z * phi_bins + phi;
 }
 
@@ -34,7 +35,9 @@ std::vector<double> bin_probabilities(const zonal::Brdf& brdf, const glm::vec3& 
   return result;
 }
 
-bool is_broad(const std::string& name) { return name != "Phong 1000" && name.find("0.0") == std::string::npos; }
+bool is_broad(const std::string& name) {
+  return name != "Phong 1000" && name.find("0.0") == std::string::npos;
+}
 
 }  // namespace
 
@@ -61,8 +64,9 @@ TEST_CASE("sampling: directions are distributed as the pdf says, those lost belo
       counts.push_back(lost);
       probabilities.push_back(1.0 - total);
 
-      // Chi-square over the bins that expect at least 10, the others together as one. Its mean is the degrees of
-      // freedom f, its variance 2 f; five standard deviations fail once in a million, and the seed is fixed.
+      // Chi-square over the bins that expect at least 10, the others together as one. Its mean is the degrees
+      // of freedom f, its variance 2 f; five standard deviations fail once in a million, and the seed is
+      // fixed.
       double chi2 = 0.0, rest_count = 0.0, rest_expected = 0.0;
       int freedom = -1;
       const auto add = [&](double count, double expected) {
@@ -154,7 +158,8 @@ TEST_CASE("sampling: pdf of a sample is pdf() of its direction, which is a unit 
 
 TEST_CASE("sampling: no sample from a black material, from below, and at the corners of the random numbers") {
   const glm::vec3 up(0.0F, 0.0F, 1.0F);
-  const zonal::Brdf empty, black{{zonal::LambertBrdf{glm::vec3(0.0F)}}}, grey{{zonal::LambertBrdf{glm::vec3(0.5F)}}};
+  const zonal::Brdf empty, black{{zonal::LambertBrdf{glm::vec3(0.0F)}}},
+      grey{{zonal::LambertBrdf{glm::vec3(0.5F)}}};
   const glm::vec2 u(0.5F, 0.5F);
   CHECK(sample(empty, up, 0.5F, u).pdf == 0.0F);
   CHECK(sample(black, up, 0.5F, u).pdf == 0.0F);

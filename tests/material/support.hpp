@@ -18,8 +18,12 @@ struct Named {
   zonal::Brdf brdf;
 };
 
-inline zonal::ConductorFresnel gold() { return {{0.14F, 0.37F, 1.44F}, {3.98F, 2.39F, 1.60F}}; }
-inline zonal::SchlickFresnel white() { return {glm::vec3(1.0F)}; }
+inline zonal::ConductorFresnel gold() {
+  return {{0.14F, 0.37F, 1.44F}, {3.98F, 2.39F, 1.60F}};
+}
+inline zonal::SchlickFresnel white() {
+  return {glm::vec3(1.0F)};
+}
 
 inline zonal::Brdf ggx(float roughness, const zonal::Fresnel& fresnel) {
   return {{zonal::GgxBrdf{roughness, fresnel}}};
@@ -51,7 +55,8 @@ class Random {
   float operator()() { return float(engine_() >> 8) * 0x1p-24F; }
   /// Uniform on the upper hemisphere.
   glm::vec3 direction() {
-    const float z = 1.0F - (*this)(), phi = 2.0F * float(pi) * (*this)(), r = std::sqrt((1.0F - z) * (1.0F + z));
+    const float z = 1.0F - (*this)(), phi = 2.0F * float(pi) * (*this)(),
+                r = std::sqrt((1.0F - z) * (1.0F + z));
     return {r * std::cos(phi), r * std::sin(phi), z};
   }
 
@@ -65,7 +70,9 @@ glm::vec<3, T> direction(T theta, T phi) {
 }
 
 /// Outgoing direction at `degrees` from the normal, phi = 0.
-inline glm::dvec3 outgoing(double degrees) { return direction(degrees * pi / 180.0, 0.0); }
+inline glm::dvec3 outgoing(double degrees) {
+  return direction(degrees * pi / 180.0, 0.0);
+}
 
 /// The midpoint rule over the upper hemisphere: sum of visit(wi, solid angle).
 template <class Visit>
@@ -78,20 +85,22 @@ void midpoint_hemisphere(int theta_count, int phi_count, const Visit& visit) {
   }
 }
 
-/// The same integral over the half vector h of wo and wi, whose slope is distributed as that of GGX of this roughness:
-/// every cell of the midpoint rule has the same share of D cos, so that no lobe is too sharp. visit(wi, solid angle).
+/// The same integral over the half vector h of wo and wi, whose slope is distributed as that of GGX of this
+/// roughness: every cell of the midpoint rule has the same share of D cos, so that no lobe is too sharp.
+/// visit(wi, solid angle).
 template <class Visit>
-void half_vector_hemisphere(double alpha, const glm::dvec3& wo, int count, const Visit& visit) {
-  for (int i = 0; i < count; ++i) {
-    const double s = (i + 0.5) / count, u = s * s * (3.0 - 2.0 * s), du = 6.0 * s * (1.0 - s) / count;
+void half_vector_hemisphere(double alpha, const glm::dvec3& wo, int slopes, int azimuths,
+                            const Visit& visit) {
+  for (int i = 0; i < slopes; ++i) {
+    const double s = (i + 0.5) / slopes, u = s * s * (3.0 - 2.0 * s), du = 6.0 * s * (1.0 - s) / slopes;
     const double tan2 = alpha * alpha * u / (1.0 - u), cos_h = 1.0 / std::sqrt(1.0 + tan2);
     const double distribution = alpha * alpha / (pi * std::pow(cos_h * cos_h * (alpha * alpha + tan2), 2));
-    for (int j = 0; j < count; ++j) {
-      const glm::dvec3 h = direction(std::atan(std::sqrt(tan2)), (j + 0.5) * 2.0 * pi / count);
+    for (int j = 0; j < azimuths; ++j) {
+      const glm::dvec3 h = direction(std::atan(std::sqrt(tan2)), (j + 0.5) * 2.0 * pi / azimuths);
       const double cos_difference = glm::dot(h, wo);
       const glm::dvec3 wi = 2.0 * cos_difference * h - wo;
       if (cos_difference <= 0.0 || wi.z <= 0.0) continue;
-      visit(wi, 4.0 * cos_difference * du / (count * distribution * cos_h));
+      visit(wi, 4.0 * cos_difference * du / (azimuths * distribution * cos_h));
     }
   }
 }
@@ -99,7 +108,7 @@ void half_vector_hemisphere(double alpha, const glm::dvec3& wo, int count, const
 /// The integral of f cos over wi: what the material reflects of uniform light.
 inline glm::dvec3 ggx_albedo(const zonal::Brdf& brdf, double alpha, const glm::dvec3& wo) {
   glm::dvec3 sum(0.0);
-  half_vector_hemisphere(alpha, wo, 300, [&](const glm::dvec3& wi, double solid_angle) {
+  half_vector_hemisphere(alpha, wo, 300, 300, [&](const glm::dvec3& wi, double solid_angle) {
     sum += evaluate(brdf, wi, wo) * (wi.z * solid_angle);
   });
   return sum;

@@ -36,7 +36,7 @@ namespace zonal {
 ///
 /// Between rows the coefficients are linear in the angle, beyond 89 degrees they are constant. For sharp
 /// lobes that moves degree l by up to (l pi / 180)^2 / 8. Greatest error measured half-way between rows,
-/// relative to the largest coefficient, GGX of roughness 0.01 to 1 and Phong up to 1000: F 1e-3 at 5 bands,
+/// relative to the largest coefficient, GGX of roughness 0.01 to 1 and Phong up to 1000: F 3e-3 at 5 bands,
 /// 5e-3 at 10, 1.4e-2 at 21; F' 1e-2, 1e-2, 1.4e-2; beyond 85 degrees, where materials change fast, 3e-2 for
 /// both.
 class MaterialTable {

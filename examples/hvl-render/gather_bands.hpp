@@ -5,12 +5,6 @@
 #include <memory>
 #include <vector>
 
-// GCC 12 takes its own AVX-512 intrinsics for uses of uninitialised vectors (bug 105593).
-#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ < 13
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#pragma GCC diagnostic ignored "-Wuninitialized"
-#endif
-
 #include <zonal/basis/bands.hpp>
 #include <zonal/gather/hvl.hpp>
 

@@ -40,19 +40,21 @@ template <int N>
 void check_against_polynomials() {
   for (const auto& v : directions_and_poles<double>(200, 7 + N)) {
     CAPTURE(N, v[0], v[1], v[2]);
-    const auto expected = zonal::reference::evaluate_polynomial<N>(v);
+    // In long double, for in double the powers of z lose more than evaluate does.
+    const auto expected = zonal::reference::evaluate_polynomial<N>(Vector3<long double>{v[0], v[1], v[2]});
+    const auto error = [](double value, long double exact) { return std::abs(static_cast<double>(value - exact)); };
     const auto all = zonal::evaluate<N>(v);
     const auto even = zonal::evaluate_even<N>(v[0], v[2]);
     const auto zonal = zonal::evaluate_zonal<N>(v[2]);
     for (int l = 0; l < N; ++l) {
-      const double tolerance = 2e-14 * largest_of_degree(l);
+      const double tolerance = 1e-14 * largest_of_degree(l);
       for (int m = -l; m <= l; ++m) {
         CAPTURE(l, m);
-        REQUIRE(std::abs(all(l, m) - expected(l, m)) <= tolerance);
-        if (m >= 0) REQUIRE(std::abs(even(l, m) - expected(l, m)) <= tolerance);
+        REQUIRE(error(all(l, m), expected(l, m)) <= tolerance);
+        if (m >= 0) REQUIRE(error(even(l, m), expected(l, m)) <= tolerance);
       }
       CAPTURE(l);
-      REQUIRE(std::abs(zonal[l] - expected(l, 0)) <= tolerance);
+      REQUIRE(error(zonal[l], expected(l, 0)) <= tolerance);
     }
   }
 }
@@ -101,7 +103,7 @@ TEST_CASE("evaluate, evaluate_even and evaluate_zonal agree, also where y is not
         REQUIRE(mirrored(l, m) == all(l, m));
         if (m > 0) REQUIRE(mirrored(l, -m) == -all(l, -m));
       }
-      REQUIRE(zonal[l] == all(l, 0));
+      REQUIRE(std::abs(zonal[l] - all(l, 0)) <= 1e-14 * largest_of_degree(l));
     }
   }
 }
@@ -154,7 +156,8 @@ TEST_CASE("The sink receives each degree and order once, as constant expressions
   zonal::evaluate<N>(v[0], v[1], v[2], [&](auto l, auto m, const double& value) {
     static_assert(0 <= l && l < N && -l <= m && m <= l);
     ++seen[static_cast<std::size_t>(zonal::sh_index(l, m))];
-    CHECK(value == (zonal::get<l, m>(expected)));
+    // Not to the bit: the compiler may fuse additions with multiplications here and not there.
+    CHECK(value == Catch::Approx(zonal::get<l, m>(expected)).epsilon(1e-14));
   });
   for (const int count : seen) CHECK(count == 1);
 

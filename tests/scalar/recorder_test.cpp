@@ -131,10 +131,10 @@ TEST_CASE("evaluate<5> takes the operations that one counts by hand, and no more
   const auto y = zonal::evaluate<5>(inputs(recording));
   const OperationCount all = recording.count(y.begin(), y.end());
   CAPTURE(all.additions, all.multiplications);
-  // Multiplications: z^2; 4 per step to (x+iy)^m, 3 steps, of which the first finds x*y written twice; per order m the
-  // polynomials in z (7 at m = 0, 5 at 1, 2 at 2, 1 at 3); two per value with m > 0 and l > m or l = m.
+  // Multiplications: z^2; 4 in each of 3 steps to (x+iy)^m, but x*y and y*x are one; the polynomials in z, 7 at m = 0,
+  // 4 at 1, 2 at 2 and 1 at 3; two for each pair of values with m > 0. Additions: 2 in each step, and 3, 2 and 1.
   CHECK(all.divisions + all.functions + all.comparisons == 0);
-  CHECK(all.multiplications == 1 + 11 + (8 + 5 + 2 + 1) + 20);
+  CHECK(all.multiplications == 1 + 11 + (7 + 4 + 2 + 1) + 20);
   CHECK(all.additions == 2 * 3 + (3 + 2 + 1));
 
   std::vector<Recorder> even, degree_2;

@@ -51,6 +51,14 @@ TEST_CASE("horizon: 1 above, 0 below, one half on the horizon, monotone between,
       CAPTURE(sine, cosine);
       CHECK(smooth >= last_smooth);
       CHECK(exact >= last_exact - 2e-6F);
+      if (i == 0 && sine > 0) {
+        CHECK(smooth == 0.5F);
+        CHECK(std::abs(exact - 0.5F) <= 1e-6F);
+      }
+      if (std::abs(cosine) < sine) {
+        const double x = 0.5 * (1 + std::asin(static_cast<double>(cosine)) / std::asin(static_cast<double>(sine)));
+        CHECK(std::abs(static_cast<double>(smooth) - x * x * (3 - 2 * x)) <= 1e-6);
+      }
       if (cosine > 0 && cosine >= sine) CHECK((smooth == 1 && exact == 1));
       if (cosine < 0 && -cosine >= sine) CHECK((smooth == 0 && exact == 0));
       last_smooth = smooth, last_exact = exact;

@@ -32,14 +32,14 @@ std::vector<double> zonal_row(const std::string& lobe, const std::string& parame
   return result;
 }
 
-/// Sums f and f cos times all N^2 basis functions.
+/// Sums f cos times all N^2 basis functions, and f where it is and where its mirror image is.
 template <int N>
 struct FullProjection {
   zonal::Sh<N, glm::dvec3> with_cosine{}, without_cosine{};
   void add(const glm::dvec3& wi, const glm::dvec3& f_times_solid_angle) {
-    const auto basis = zonal::evaluate<N>(wi);
+    const auto basis = zonal::evaluate<N>(wi), mirrored = zonal::evaluate<N>(glm::dvec3(wi.x, wi.y, -wi.z));
     for (int i = 0; i < basis.size(); ++i) {
-      without_cosine[i] += f_times_solid_angle * basis[i];
+      without_cosine[i] += f_times_solid_angle * (basis[i] + mirrored[i]);
       with_cosine[i] += f_times_solid_angle * (basis[i] * wi.z);
     }
   }
@@ -90,6 +90,8 @@ TEST_CASE("projection: Lambert is the clamped cosine, from everywhere") {
         CAPTURE(degrees, l, m);
         const glm::dvec3 expected = m == 0 ? glm::dvec3(albedo) * zonal[std::size_t(l)] : glm::dvec3(0.0);
         CHECK(largest(projection.with_cosine(l, m) - expected) < 1e-13);
+        const glm::dvec3 constant = l == 0 ? glm::dvec3(albedo) * std::sqrt(4.0 / pi) : glm::dvec3(0.0);
+        CHECK(largest(projection.without_cosine(l, m) - constant) < 1e-13);
       }
     }
   }
@@ -105,7 +107,8 @@ TEST_CASE("projection: Phong from the normal is a cosine power") {
       for (int m = 0; m <= l; ++m) {
         CAPTURE(exponent, l, m);
         const double cosine_lobe = m == 0 ? with_cosine[l] : 0.0;
-        const double lobe = m == 0 ? zonal[std::size_t(l)] * (exponent + 2.0) / (exponent + 1.0) : 0.0;
+        const double mirrored = m == 0 && l % 2 == 0 ? 2.0 : 0.0;
+        const double lobe = mirrored * zonal[std::size_t(l)] * (exponent + 2.0) / (exponent + 1.0);
         CHECK(std::abs(projection.with_cosine(l, m).x - cosine_lobe) < 1e-6);
         CHECK(std::abs(projection.without_cosine(l, m).x - lobe) < 1e-6);
       }
@@ -121,7 +124,8 @@ TEST_CASE("projection: a sharp Phong lobe is the zonal lobe oriented to the mirr
     const auto basis = zonal::evaluate<21>(direction(degrees * pi / 180.0, pi));
     for (int l = 0; l < 21; ++l) {
       for (int m = 0; m <= l; ++m) {
-        const double scale = std::sqrt(4.0 * pi / (2 * l + 1)) * 1002.0 / 1001.0;
+        const double mirrored = (l + m) % 2 == 0 ? 2.0 : 0.0;
+        const double scale = mirrored * std::sqrt(4.0 * pi / (2 * l + 1)) * 1002.0 / 1001.0;
         CAPTURE(degrees, l, m);
         CHECK(std::abs(projection.without_cosine(l, m).x - scale * zonal[std::size_t(l)] * basis(l, m)) <
               1e-5);
@@ -200,7 +204,7 @@ TEST_CASE("projection: an unreachable tolerance is reported as such") {
   const auto projection = zonal::project_brdf<5>(wedge, 0.7, 1e-6, quadrature());
   CHECK(projection.theta_nodes == 512);
   CHECK(projection.error > 1e-6);
-  const double exact = 2.0 / std::sqrt(4.0 * pi);  // integral of Y_0^0 over two radians of the hemisphere
+  const double exact = 4.0 / std::sqrt(4.0 * pi);  // integral of Y_0^0 over two radians of the sphere
   CHECK(std::abs(projection.without_cosine(0, 0).x - exact) <= 5.0 * projection.error * exact);
 }
 

@@ -1,31 +1,16 @@
-// What a Recording counts, and that running it gives what the float kernel gives, bit for bit.
-
-// The kernel must not fuse a*b+c, for the interpreter cannot. Before every include, so that all below obeys.
-#if defined(__clang__)
-#pragma clang fp contract(off)
-#elif defined(__GNUC__)
-#pragma GCC optimize("fp-contract=off")
-#endif
+// What a Recording keeps and counts. That running it gives what the kernel gives: kernels/every_scalar_test.cpp.
 
 #include <zonal/basis/evaluate.hpp>
 #include <zonal/basis/polynomial.hpp>
-#include <zonal/scalar/math.hpp>
 #include <zonal/scalar/recorder.hpp>
 
 #include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <cstring>
-#include <random>
-#include <utility>
 #include <vector>
 
 #include "../catch.hpp"
 
 namespace {
 
-using zonal::Operation;
 using zonal::OperationCount;
 using zonal::Recorder;
 using zonal::Recording;
@@ -36,45 +21,6 @@ std::array<Recorder, 3> inputs(Recording& recording) {
 
 OperationCount count(const Recording& recording, const std::vector<Recorder>& outputs) {
   return recording.count(outputs.begin(), outputs.end());
-}
-
-/// The value of every line, with these values of the inputs in their order.
-std::vector<float> run(const Recording& recording, const std::vector<float>& inputs) {
-  std::vector<float> values;
-  std::size_t next_input = 0;
-  for (const Recording::Line& line : recording.lines()) {
-    const auto operand = [&](int i) { return values.at(static_cast<std::size_t>(line.operands[i])); };
-    float value = 0;
-    switch (line.operation) {
-      case Operation::input: value = inputs.at(next_input++); break;
-      case Operation::constant: value = line.constant; break;
-      case Operation::negate: value = -operand(0); break;
-      case Operation::add: value = operand(0) + operand(1); break;
-      case Operation::subtract: value = operand(0) - operand(1); break;
-      case Operation::multiply: value = operand(0) * operand(1); break;
-      case Operation::divide: value = operand(0) / operand(1); break;
-      case Operation::minimum: value = zonal::min(operand(0), operand(1)); break;
-      case Operation::maximum: value = zonal::max(operand(0), operand(1)); break;
-      case Operation::absolute: value = std::abs(operand(0)); break;
-      case Operation::square_root: value = std::sqrt(operand(0)); break;
-      case Operation::exponential: value = std::exp(operand(0)); break;
-      case Operation::less: value = operand(0) < operand(1) ? 1.0F : 0.0F; break;
-      case Operation::less_equal: value = operand(0) <= operand(1) ? 1.0F : 0.0F; break;
-      case Operation::select: value = operand(0) != 0 ? operand(1) : operand(2); break;
-    }
-    values.push_back(value);
-  }
-  return values;
-}
-
-float value_of(const Recorder& output, const std::vector<float>& values) {
-  return output.is_constant() ? output.constant() : values.at(static_cast<std::size_t>(output.line()));
-}
-
-std::uint32_t bits(float value) {
-  std::uint32_t result = 0;
-  std::memcpy(&result, &value, sizeof result);
-  return result;
 }
 
 }  // namespace
@@ -150,31 +96,4 @@ TEST_CASE("evaluate<5> takes the operations that one counts by hand, and no more
   Recording slow;
   const auto polynomial = zonal::reference::evaluate_polynomial<5>(inputs(slow));
   CHECK(all.total() < slow.count(polynomial.begin(), polynomial.end()).total());
-}
-
-TEST_CASE("The record of evaluate<5>, run, is the float kernel bit for bit") {
-  Recording recording;
-  const auto record = zonal::evaluate<5>(inputs(recording));
-  std::mt19937 random(9);
-  std::normal_distribution<float> normal;
-  for (int i = 0; i < 2000; ++i) {
-    const float x = normal(random), y = normal(random), z = normal(random), length = std::sqrt(x * x + y * y + z * z);
-    const float vx = x / length, vy = y / length, vz = z / length;
-    const auto values = run(recording, {vx, vy, vz});
-    // The sink form, which is compiled here; the linker may take the other from a file that fuses.
-    zonal::evaluate<5>(vx, vy, vz, [&](auto l, auto m, const float& value) {
-      CAPTURE(vx, vy, vz, l(), m());
-      REQUIRE(bits(value_of(record(l, m), values)) == bits(value));
-    });
-  }
-}
-
-TEST_CASE("The record of asin, run, is the float kernel bit for bit") {
-  Recording recording;
-  const Recorder record = zonal::asin(recording.input("x"));
-  for (int i = -10000; i <= 10000; ++i) {
-    const float x = static_cast<float>(i) / 10000;
-    CAPTURE(x);
-    REQUIRE(bits(value_of(record, run(recording, {x}))) == bits(zonal::asin(x)));
-  }
 }

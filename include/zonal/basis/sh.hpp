@@ -9,6 +9,8 @@ namespace zonal {
 constexpr int sh_index(int l, int m) { return l * (l + 1) + m; }
 // The same when only m >= 0 is stored.
 constexpr int even_index(int l, int m) { return l * (l + 1) / 2 + m; }
+// Whether Y_l^m is the same above and below the plane z = 0.
+constexpr bool is_even_in_z(int l, int m) { return (l + m) % 2 == 0; }
 
 namespace detail {
 // What the three kinds of coefficient arrays share: storage, iteration and the arithmetic of a vector space.

@@ -6,7 +6,8 @@
 //   L_o(x) = sum_j L_j H(n_x, w) sum_l A_l(a) sum_m F_l^m Y_l^m(w),   A_l = sqrt(4pi/(2l+1)) z_l     [1] Eq. 19-22
 //
 // Both frames are chosen so that their fixed direction (the eye at x, the primary light at y) has phi = 0: isotropic
-// materials are then even in phi, and N(N+1)/2 coefficients do what N^2 would.
+// materials are then even in phi, and N(N+1)/2 coefficients do what N^2 would. What a light sends out is even in z as
+// well (projection.hpp): of its coefficients only those of even l+m are there.
 //
 // [1] Mezieres et al., Harmonics Virtual Lights, CGF 41(6), 2022.
 #pragma once
@@ -27,10 +28,14 @@
 
 namespace zonal {
 
+/// Where the emission of degree l and order m stands, 0 <= m <= l, l+m even; emission_index(NE, 0) or (NE, 1), whichever
+/// is even, is how many there are in NE bands.
+constexpr int emission_index(int l, int m) { return (l + 1) * (l + 1) / 4 + m / 2; }
+
 /// What a sphere light needs to be seen: a light of the cache as the kernel reads it, one lane or a packet of them.
 template <int NE, class T>
 struct HvlRecord {
-  static constexpr int emission_size = NE * (NE + 1) / 2;
+  static constexpr int emission_size = emission_index(NE, NE % 2);
   T position[3], normal[3];
   T tangent[3];  // the direction to the primary light, projected on the tangent plane
   T radius;
@@ -87,7 +92,9 @@ ZONAL_INLINE inline void hvl_radiance(const HvlRecord<NE, T>& light, const Recei
   T sent[3] = {T(0), T(0), T(0)};
   evaluate_even<NE>(-detail::dot3(direction, light.tangent), -detail::dot3(direction, light.normal),
                     [&](auto l, auto m, const T& y) ZONAL_INLINE {
-                      for (int c = 0; c < 3; ++c) sent[c] = sent[c] + light.emission[c][even_index(l, m)] * y;
+                      if constexpr (is_even_in_z(l, m)) {
+                        for (int c = 0; c < 3; ++c) sent[c] = sent[c] + light.emission[c][emission_index(l, m)] * y;
+                      }
                     });
   const T geometry = cos_light * horizon<method>(cap, cos_receiver);
 
@@ -109,8 +116,8 @@ ZONAL_INLINE inline void hvl_radiance(const HvlRecord<NE, T>& light, const Recei
 }
 
 /// The virtual lights as a structure of arrays, padded with dark lights to whole packets. Lights without power, area or
-/// material are left out: they contribute exactly nothing. NE bands of emission; 1 suits diffuse emitters and needs
-/// no evaluation at all.
+/// material are left out: they contribute exactly nothing. NE bands of emission; 1 is exact for diffuse emitters and
+/// needs no evaluation at all.
 template <int NE>
 class HvlCache {
  public:
@@ -151,7 +158,12 @@ class HvlCache {
       record.position[i] = light.position[i];
       record.normal[i] = light.normal[i];
       record.tangent[i] = tangent[i];
-      for (int k = 0; k < record.emission_size; ++k) record.emission[i][k] = scale[i] * reflected[k][i];
+    }
+    for (int l = 0; l < NE; ++l) {
+      for (int m = l % 2; m <= l; m += 2) {
+        const glm::vec3 sent = scale * reflected(l, m);
+        for (int c = 0; c < 3; ++c) record.emission[c][emission_index(l, m)] = sent[c];
+      }
     }
     record.radius = light.radius;
     store(record);

@@ -1,4 +1,4 @@
-// zonal/material/brdf.hpp - analytic BRDF models: Lambert, Phong, GGX, and sums of them.
+// Analytic BRDF models: Lambert, Phong, GGX, and sums of them.
 //
 // Directions are unit vectors in the local frame, z being the surface normal; wi points towards the light, wo
 // towards the eye. A BRDF f(wi, wo) is in 1/sr, one value per RGB channel, reciprocal, and exactly zero when
@@ -9,15 +9,13 @@
 // floats, and are widened, so that a projection done in double is limited by the model and not by its
 // evaluation.
 //
-// Bibliography
 // [1] B. Walter, S. Marschner, H. Li, K. Torrance, "Microfacet Models for Refraction through Rough Surfaces",
 //     EGSR 2007.
 // [2] E. Heitz, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", JCGT 3(2), 2014.
 // [3] E. Lafortune, Y. Willems, "Using the Modified Phong Reflectance Model for Physically Based Rendering",
 //     report CW 197, KU Leuven, 1994.
 // [4] M. Born, E. Wolf, "Principles of Optics", 7th edition, 1999, sections 1.5.2 and 14.2.
-// [5] C. Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", Computer Graphics Forum 13(3),
-// 1994.
+// [5] C. Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", CGF 13(3), 1994.
 #pragma once
 
 #include <algorithm>

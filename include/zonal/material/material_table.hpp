@@ -1,13 +1,11 @@
-// zonal/material/material_table.hpp - the coefficients of a material by outgoing direction.
+// The coefficients of a material by outgoing direction.
 //
 // An isotropic material depends on the angle theta_o between the normal and the eye only: [1] Eq. 18 stores
 // its coefficients at 90 angles, one degree apart. Here they are half as many, because in the frame where wo
 // has phi = 0 the material is even in phi; and between two angles they are interpolated. Anisotropic
 // materials need a second angle, and another table.
 //
-// [1] P. Mezieres, F. Desrichard, D. Vanderhaeghe, M. Paulin, "Harmonics Virtual Lights: Fast Projection of
-// Luminance
-//     Field on Spherical Harmonics for Efficient Rendering", Computer Graphics Forum 2022, section 4.2.
+// [1] Mezieres et al., Harmonics Virtual Lights, CGF 41(6), 2022, section 4.2.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// zonal/material/quadrature.hpp - Gauss-Legendre rules whose size is known at run time.
+// Gauss-Legendre rules whose size is known at run time.
 //
 // [1] NIST Digital Library of Mathematical Functions, sections 3.5(v) and 18.16(ii).
 #pragma once

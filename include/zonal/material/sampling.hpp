@@ -1,9 +1,7 @@
-// zonal/material/sampling.hpp - random directions in proportion to a BRDF, for path tracers and light
-// tracers.
+// Random directions in proportion to a BRDF, for path tracers and light tracers.
 //
 // Same frame and directions as zonal/material/brdf.hpp. The caller brings the random numbers.
 //
-// Bibliography
 // [1] E. Heitz, "Sampling the GGX Distribution of Visible Normals", JCGT 7(4), 2018.
 // [2] E. Lafortune, Y. Willems, "Using the Modified Phong Reflectance Model for Physically Based Rendering",
 //     report CW 197, KU Leuven, 1994.

@@ -17,6 +17,8 @@ struct Accuracy {
 inline constexpr std::string_view kAllDirections = "all unit vectors, poles included";
 inline constexpr std::string_view kAllCosines = "-1 to 1";
 inline constexpr std::string_view kOfTheDegree = "sqrt((2l+1)/4pi)";
+inline constexpr std::string_view kAllCaps = "half angles from asin(1e-12) to pi - asin(1e-12)";
+inline constexpr std::string_view kLargest = "largest coefficient";
 inline constexpr std::string_view kUlpOfResult = "ulp of the result";
 inline constexpr std::string_view kUlpOfPi = "ulp of pi";
 
@@ -33,6 +35,16 @@ inline constexpr Accuracy kAccuracyTable[] = {
     {"evaluate_zonal", "float", 10, kAllCosines, kOfTheDegree, 3e-6},
     {"evaluate_zonal", "float", 21, kAllCosines, kOfTheDegree, 1.2e-5},
     {"evaluate_zonal", "double", 21, kAllCosines, kOfTheDegree, 1e-13},
+    {"project(SphericalCap)", "float", 10, kAllCaps, kLargest, 4e-7},
+    {"project(SphericalCap)", "float", 21, kAllCaps, kLargest, 4e-7},
+    {"project(SphericalCap)", "float", 51, kAllCaps, kLargest, 8e-7},
+    {"project(SphericalCap)", "double", 51, kAllCaps, kLargest, 2e-15},
+    {"project(LambertLobe)", "float", 21, "", kLargest, 6e-8},
+    {"project(LambertLobe)", "double", 21, "", kLargest, 2e-16},
+    {"project(PhongLobe)", "float", 21, "exponents 1 to 1000", kLargest, 2.5e-7},
+    {"project(PhongLobe)", "double", 21, "exponents 1 to 1000", kLargest, 5e-16},
+    {"project(SphericalGaussian)", "float", 21, "sharpness 0 to 1e6", kLargest, 1e-6},
+    {"project(SphericalGaussian)", "double", 21, "sharpness 0 to 1e6", kLargest, 2e-15},
     // A packet's square root is Eigen's, which may be 2 ulp off.
     {"asin", "float", 0, kAllCosines, kUlpOfResult, 2},
     {"asin", "double", 0, kAllCosines, kUlpOfResult, 2},

@@ -16,14 +16,29 @@ double largest(const zonal::Zh<N, T>& zh) {
   return result;
 }
 
+struct Value {
+  static constexpr const char* name = "project(SphericalCap)";
+  template <int N, class T>
+  static zonal::Zh<N, T> of(const zonal::SphericalCap<T>& cap) {
+    return zonal::project<N>(cap);
+  }
+};
+struct Derivative {
+  static constexpr const char* name = "project_derivative(SphericalCap)";
+  template <int N, class T>
+  static zonal::Zh<N, T> of(const zonal::SphericalCap<T>& cap) {
+    return zonal::project_derivative<N>(cap);
+  }
+};
+
 // |T - long double| against the largest coefficient, for the same sine and either side of the hemisphere.
-template <int N, class T>
+template <class Kind, int N, class T>
 double cap_error(T sin_angle, bool beyond) {
   auto cap = zonal::SphericalCap<T>::from_sphere(T(1), sin_angle);
   auto exact = zonal::SphericalCap<long double>::from_sphere(1, static_cast<long double>(sin_angle));
   if (beyond) cap.cos_angle = -cap.cos_angle, exact.cos_angle = -exact.cos_angle;
-  const auto zh = zonal::project<N>(cap);
-  const auto reference = zonal::project<N>(exact);
+  const auto zh = Kind::template of<N>(cap);
+  const auto reference = Kind::template of<N>(exact);
   double error = 0;
   for (int l = 0; l < N; ++l) {
     error = std::max(error, static_cast<double>(std::abs(static_cast<long double>(zh[l]) - reference[l])));
@@ -31,18 +46,18 @@ double cap_error(T sin_angle, bool beyond) {
   return error / largest(reference);
 }
 
-template <int N, class T>
+template <class Kind, int N, class T>
 void check_promise() {
   double worst = 0;
   for (int i = 0; i <= 24000; ++i) {
     const T sine = static_cast<T>(std::pow(10.0, -12.0 * i / 24000));
     const T near_one = T(1) - static_cast<T>(std::pow(10.0, -7.0 * i / 24000));
     for (const T s : {sine, near_one}) {
-      for (const bool beyond : {false, true}) worst = std::max(worst, cap_error<N>(s, beyond));
+      for (const bool beyond : {false, true}) worst = std::max(worst, cap_error<Kind, N>(s, beyond));
     }
   }
-  CAPTURE(N, scalar_name<T>, worst);
-  const double promise = accuracy_bound("project(SphericalCap)", scalar_name<T>, N);
+  CAPTURE(Kind::name, N, scalar_name<T>, worst);
+  const double promise = accuracy_bound(Kind::name, scalar_name<T>, N);
   CHECK(worst <= promise);
   CHECK(worst >= promise / 10);  // or the promise tells the reader nothing
 }
@@ -72,10 +87,25 @@ TEST_CASE("cap: the long double kernel, the reference of the next test, meets th
 }
 
 TEST_CASE("cap: rounding error at every angle from sin a = 1e-12 to beyond the hemisphere") {
-  check_promise<10, float>();
-  check_promise<21, float>();
-  check_promise<51, float>();
-  check_promise<51, double>();
+  check_promise<Value, 10, float>();
+  check_promise<Derivative, 10, float>();
+  check_promise<Value, 21, float>();
+  check_promise<Derivative, 21, float>();
+  check_promise<Value, 51, float>();
+  check_promise<Derivative, 51, float>();
+  check_promise<Value, 51, double>();
+  check_promise<Derivative, 51, double>();
+}
+
+TEST_CASE("cap: its derivative meets the reference table") {
+  for (const auto& row : read_csv("cap.csv")) {
+    const double sine = row[0], side = row[1], expected = row[4];
+    const auto zh = zonal::project_derivative<51>(
+        zonal::SphericalCap<double>{side * std::sqrt((1 - sine) * (1 + sine)), sine});
+    const int l = static_cast<int>(row[2]);
+    CAPTURE(sine, side, l);
+    CHECK(std::abs(zh[l] - expected) <= 5e-15 * largest(zh));
+  }
 }
 
 TEST_CASE("cap: by definition, quadrature of the basis over the cap") {

@@ -9,7 +9,11 @@
 //
 // where nothing cancels. Beyond the hemisphere z_l(pi - a) = (-1)^(l+1) z_l(a) for l >= 1.
 //
+// The derivative is the integrand at the edge, dz_l/da = sqrt(pi (2l+1)) sin a P_l(cos a), without the division by
+// sin^2 a of [2, Eq. 14-16]; P_l too by its differences, P_l = P_(l-1) + p_l, p_l = ((l-1) p_(l-1) - (2l-1) t P_(l-1)) / l.
+//
 // [1] Mezieres et al., Harmonics Virtual Lights, CGF 41(6), 2022.
+// [2] Mezieres et al., Recursive analytic spherical harmonics gradient for spherical lights, CGF 41(2), 2022.
 #pragma once
 
 #include <cassert>
@@ -41,6 +45,15 @@ struct SphericalCap {
   }
 };
 
+namespace detail {
+// 1 - |cos a|, from the sine where the cosine is near 1.
+template <class T>
+ZONAL_INLINE constexpr T versine(const SphericalCap<T>& cap) {
+  const T cosine = abs(cap.cos_angle);
+  return select(cosine < T(0.5L), T(1) - cosine, cap.sin_angle * cap.sin_angle / (T(1) + cosine));
+}
+}  // namespace detail
+
 /// The zonal coefficients of the cap's indicator (1 inside, 0 outside) to sink(l, value).
 /// Greatest error against the largest coefficient, at every angle: docs/accuracy.md.
 template <int N, class T, class Sink>
@@ -48,11 +61,12 @@ ZONAL_INLINE constexpr void project(const SphericalCap<T>& cap, Sink&& sink) {
   const auto is_small = T(0) < cap.cos_angle;
   const T cosine = abs(cap.cos_angle);
   const T sin2 = cap.sin_angle * cap.sin_angle;
-  const T t = select(cosine < T(0.5L), T(1) - cosine, sin2 / (T(1) + cosine));
+  const T t = detail::versine(cap);
   sink(Index<0>{}, T(constexpr_sqrt(kPi)) * select(is_small, t, T(1) + cosine));
 
-  // All times sin^2 a: e_l and d_l. For a cap narrow against the bands e_l stays near its first value, and adding each small d_l to it
-  // would round them away; so the d_l are summed apart. For a wide one e_l itself becomes small, and is summed.
+  // All times sin^2 a: e_l and d_l. For a cap narrow against the bands e_l stays near its first value, and adding each
+  // small d_l to it would round them away; so the d_l are summed apart. For a wide one e_l itself becomes small, and is
+  // summed.
   const T apart = select(T(1 - 6.0L / (N * N)) < cosine, sin2, T(0));
   T e = sin2, d = T(0), sum = sin2 - apart;
   const T even_sign = select(is_small, T(1), T(-1));  // a cap and its complement differ in the even degrees
@@ -77,6 +91,33 @@ template <int N, class T>
 constexpr Zh<N, T> project(const SphericalCap<T>& cap) {
   Zh<N, T> zh{};
   project<N>(cap, [&](auto l, const T& value) ZONAL_INLINE { zh.values[l] = value; });
+  return zh;
+}
+
+/// dz_l/da, per radian, to sink(l, value). Greatest error against the largest of them: docs/accuracy.md.
+template <int N, class T, class Sink>
+ZONAL_INLINE constexpr void project_derivative(const SphericalCap<T>& cap, Sink&& sink) {
+  const T t = detail::versine(cap);
+  const T odd_sign = select(cap.cos_angle < T(0), T(-1), T(1));  // P_l(-x) = (-1)^l P_l(x)
+  T legendre = T(1), step = T(0);
+  unroll<0, N>([&](auto l) ZONAL_INLINE {
+    if constexpr (l == 1) step = -t;
+    if constexpr (l > 1) step = T((l - 1.0L) / l) * step - T((2 * l - 1.0L) / l) * (t * legendre);
+    if constexpr (l > 0) legendre = legendre + step;
+    const T value = T(constexpr_sqrt(kPi * (2 * l + 1))) * (cap.sin_angle * legendre);
+    if constexpr (l % 2 == 1) {
+      sink(l, odd_sign * value);
+    } else {
+      sink(l, value);
+    }
+  });
+}
+
+/// The same as an array.
+template <int N, class T>
+constexpr Zh<N, T> project_derivative(const SphericalCap<T>& cap) {
+  Zh<N, T> zh{};
+  project_derivative<N>(cap, [&](auto l, const T& value) ZONAL_INLINE { zh.values[l] = value; });
   return zh;
 }
 

@@ -1,0 +1,175 @@
+// Lights that look the same from every side about the direction to their centre: the step that all of them share.
+//
+// Such a light is a closed form, the factor A_l(d) of each degree at distance d (A_l = sqrt(4 pi / (2l+1)) z_l), then
+// oriented: with w the unit vector from the receiver x to the centre,
+//
+//   L_l^m(x) = A_l(d) Y_l^m(w)                                                                            [1] Eq. 11
+//   grad_x L_l^m = -(A_l' - l A_l/d) U[Y_(l+1)(w)] - (A_l' + (l+1) A_l/d) D[Y_(l-1)(w)]
+//
+// with the steps U and D of gradient.hpp, where [1, Eq. 12-23] differentiates A_l and Y_l^m by angles.
+//
+// To add a light: 1. write its profile, A_l and A_l', as a function of the distance (sphere.hpp is the sample); 2. give
+// it a `center` and a member `profile` that calls it; 3. test it against Dual, as tests/light/ does for each. All
+// functions below then take it. A light that is brighter to one side multiplies by a Modulation as well (spot.hpp).
+//
+// [1] Mezieres et al., Recursive analytic spherical harmonics gradient for spherical lights, CGF 41(2), 2022.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "../basis/gradient.hpp"
+#include "../transform/orient.hpp"
+
+namespace zonal {
+
+/// The factors of each degree, A_l, and their derivatives by the distance, per unit of length.
+template <int N, class T>
+struct RadialProfile {
+  Zh<N, T> value, slope;
+};
+
+/// A factor that depends on where the receiver stands, and its gradient by the receiver's position.
+template <class T>
+struct Modulation {
+  T value, gradient[3];
+};
+
+/// Where a light's centre is, seen from a receiver: unit direction and distance. A receiver at the very centre has no
+/// direction; it is given +z, and a distance of 1e-15.
+template <class T>
+struct Sight {
+  T direction[3], distance, inverse_distance;
+
+  ZONAL_INLINE static constexpr Sight to(const T& x, const T& y, const T& z) {
+    const T square = x * x + y * y + z * z, least = T(1e-30L);
+    const auto is_at_centre = square < least;
+    const T distance = sqrt(max(square, least)), inverse = T(1) / distance;
+    return {{select(is_at_centre, T(0), x * inverse), select(is_at_centre, T(0), y * inverse),
+             select(is_at_centre, T(1), z * inverse)},
+            distance,
+            inverse};
+  }
+};
+
+namespace detail {
+
+// The weights of the steps up and down from degree l, by the receiver's position.
+template <class T>
+ZONAL_INLINE constexpr T step_up(int l, const T& value_over_distance, const T& slope) {
+  return T(l) * value_over_distance - slope;
+}
+template <class T>
+ZONAL_INLINE constexpr T step_down(int l, const T& value_over_distance, const T& slope) {
+  return -(T(l + 1) * value_over_distance) - slope;
+}
+
+// A light's Modulation where it has one; nothing where not.
+struct NoModulation {};
+template <class Light, class T, class = void>
+struct ModulationOf {
+  static constexpr bool exists = false;
+};
+template <class Light, class T>
+struct ModulationOf<Light, T, std::void_t<decltype(std::declval<Light>().modulation(std::declval<Sight<T>>()))>> {
+  static constexpr bool exists = true;
+};
+
+template <class Light, class T>
+ZONAL_INLINE constexpr Sight<T> sight(const Light& light, const T& x, const T& y, const T& z) {
+  return Sight<T>::to(T(light.center[0]) - x, T(light.center[1]) - y, T(light.center[2]) - z);
+}
+
+template <int N, class T>
+ZONAL_INLINE constexpr void scale(RadialProfile<N, T>& profile, const T& factor) {
+  unroll<0, N>([&](auto l) ZONAL_INLINE {
+    profile.value.values[l] = profile.value.values[l] * factor;
+    profile.slope.values[l] = profile.slope.values[l] * factor;
+  });
+}
+
+}  // namespace detail
+
+/// L_l^m = A_l Y_l^m(w) to sink(l, m, value).
+template <int N, class T, class Sink>
+ZONAL_INLINE constexpr void project_radial(const Zh<N, T>& factors, const Sight<T>& sight, Sink&& sink) {
+  evaluate<N>(sight.direction[0], sight.direction[1], sight.direction[2],
+              [&](auto l, auto m, const T& y) ZONAL_INLINE { sink(l, m, factors.values[l] * y); });
+}
+
+/// The same with the gradient by the receiver's position: sink(l, m, value, d/dx, d/dy, d/dz).
+template <int N, class T, class Sink>
+ZONAL_INLINE constexpr void project_radial_with_gradient(const RadialProfile<N, T>& profile, const Sight<T>& sight,
+                                                         Sink&& sink) {
+  Sh<N + 1, T> basis{};
+  detail::evaluate_into(basis, sight.direction[0], sight.direction[1], sight.direction[2]);
+  unroll<0, N>([&](auto l) ZONAL_INLINE {
+    const T factor = profile.value.values[l], slope = profile.slope.values[l];
+    const T up = detail::step_up(l, factor * sight.inverse_distance, slope);
+    const T down = detail::step_down(l, factor * sight.inverse_distance, slope);
+    Sh<l + 2, T> scaled;  // degrees l-1 and l+1, times their weights
+    unroll<-l - 1, l + 2>([&](auto m) ZONAL_INLINE {
+      scaled.values[sh_index(l + 1, m)] = up * basis.values[sh_index(l + 1, m)];
+    });
+    unroll<1 - l, l>([&](auto m) ZONAL_INLINE {
+      scaled.values[sh_index(l - 1, m)] = down * basis.values[sh_index(l - 1, m)];
+    });
+    detail::ladder<l, T, detail::UnitWeights>(
+        [&](auto m) ZONAL_INLINE { return scaled.values[sh_index(l + 1, m)]; },
+        [&](auto m) ZONAL_INLINE { return scaled.values[sh_index(l - 1, m)]; },
+        [&](auto m, const T& gx, const T& gy, const T& gz) ZONAL_INLINE {
+          sink(l, m, factor * basis.values[sh_index(l, m)], gx, gy, gz);
+        });
+  });
+}
+
+/// A light seen from the receiver (x, y, z), in any scalar: sink(l, m, value).
+template <int N, class Light, class T, class Sink>
+ZONAL_INLINE constexpr void project(const Light& light, const T& x, const T& y, const T& z, Sink&& sink) {
+  const Sight<T> sight = detail::sight(light, x, y, z);
+  RadialProfile<N, T> profile = light.template profile<N>(sight);
+  if constexpr (detail::ModulationOf<Light, T>::exists) detail::scale(profile, light.modulation(sight).value);
+  project_radial<N>(profile.value, sight, sink);
+}
+
+/// The same with the gradient: sink(l, m, value, d/dx, d/dy, d/dz).
+template <int N, class Light, class T, class Sink>
+ZONAL_INLINE constexpr void project_with_gradient(const Light& light, const T& x, const T& y, const T& z, Sink&& sink) {
+  const Sight<T> sight = detail::sight(light, x, y, z);
+  const RadialProfile<N, T> profile = light.template profile<N>(sight);
+  if constexpr (detail::ModulationOf<Light, T>::exists) {
+    const Modulation<T> factor = light.modulation(sight);
+    project_radial_with_gradient<N>(
+        profile, sight, [&](auto l, auto m, const T& value, const T& gx, const T& gy, const T& gz) ZONAL_INLINE {
+          sink(l, m, factor.value * value, factor.value * gx + factor.gradient[0] * value,
+               factor.value * gy + factor.gradient[1] * value, factor.value * gz + factor.gradient[2] * value);
+        });
+  } else {
+    project_radial_with_gradient<N>(profile, sight, sink);
+  }
+}
+
+/// Coefficients at the receiver x, for a light of unit radiance or intensity (each light says which).
+template <int N, class Light, class T>
+Sh<N, T> project(const Light& light, const glm::vec<3, T>& x) {
+  Sh<N, T> sh;
+  project<N>(light, x[0], x[1], x[2],
+             [&](auto l, auto m, const T& value) ZONAL_INLINE { sh.values[sh_index(l, m)] = value; });
+  return sh;
+}
+
+/// The same, and their gradient by the receiver's position, per unit of length.
+template <int N, class Light, class T>
+ShGradient<N, T> project_with_gradient(const Light& light, const glm::vec<3, T>& x) {
+  ShGradient<N, T> sh;
+  project_with_gradient<N>(light, x[0], x[1], x[2],
+                           [&](auto l, auto m, const T& value, const T& gx, const T& gy, const T& gz) ZONAL_INLINE {
+                             const int i = sh_index(l, m);
+                             sh.value.values[i] = value;
+                             sh.gradient[0].values[i] = gx;
+                             sh.gradient[1].values[i] = gy;
+                             sh.gradient[2].values[i] = gz;
+                           });
+  return sh;
+}
+
+}  // namespace zonal

@@ -1,0 +1,72 @@
+// Sphere lights: with a sharp edge, and with a soft one.
+//
+// From outside, distance d > radius r, the sphere is a cap of half angle asin(r/d), and da/dd = -tan a / d.
+// - On the surface the slope A_l' is infinite for even l. What comes back is the slope where cos a = sqrt(epsilon)/2,
+//   just outside: finite, and larger than at any representable distance beyond.
+// - Inside, the light is a hemisphere about the direction to the centre: continuous with the surface; the slope is 0, the
+//   gradient is that of the direction alone.
+// - At the centre there is no direction: the hemisphere about +z. The gradient is meaningless, but finite.
+//
+// [1] Mezieres et al., Recursive analytic spherical harmonics gradient for spherical lights, CGF 41(2), 2022.
+#pragma once
+
+#include <limits>
+
+#include "../lobe/cap.hpp"
+#include "radial.hpp"
+
+namespace zonal {
+
+/// The profile of a sphere of radiance 1 [1, Eq. 9, 14-16].
+template <int N, class T>
+ZONAL_INLINE constexpr RadialProfile<N, T> sphere_profile(const Sight<T>& sight, const T& radius) {
+  const auto cap = SphericalCap<T>::from_sphere(sight.distance, radius);
+  constexpr long double least_cosine = constexpr_sqrt(std::numeric_limits<lane_t<T>>::epsilon()) / 2;
+  const T angle_slope = select(radius <= sight.distance,
+                               -(cap.sin_angle * sight.inverse_distance) / max(cap.cos_angle, T(least_cosine)), T(0));
+  RadialProfile<N, T> profile{};
+  project<N>(cap, [&](auto l, const T& z) ZONAL_INLINE {
+    profile.value.values[l] = T(detail::zonal_to_degree(l)) * z;
+  });
+  project_derivative<N>(cap, [&](auto l, const T& derivative) ZONAL_INLINE {
+    profile.slope.values[l] = T(detail::zonal_to_degree(l)) * (derivative * angle_slope);
+  });
+  return profile;
+}
+
+/// A sphere of radiance 1. center and radius >= 0 in units of length.
+template <class T>
+struct SphereLight {
+  glm::vec<3, T> center;
+  T radius;
+
+  template <int N, class R>
+  ZONAL_INLINE constexpr RadialProfile<N, R> profile(const Sight<R>& sight) const {
+    return sphere_profile<N>(sight, R(radius));
+  }
+};
+template <class T, class R>
+SphereLight(glm::vec<3, T>, R) -> SphereLight<T>;
+
+/// A sphere whose image is blurred by a zonal kernel (a lobe that integrates to 1): radiance 1 in the middle, a soft
+/// edge as wide as the kernel, the same at every distance. One multiplication per degree more than a sphere.
+template <int N, class T>
+struct SoftSphereLight {
+  glm::vec<3, T> center;
+  T radius;
+  Zh<N, T> kernel;
+
+  template <int Bands, class R>
+  ZONAL_INLINE constexpr RadialProfile<Bands, R> profile(const Sight<R>& sight) const {
+    static_assert(Bands <= N, "the kernel has fewer bands than asked for");
+    RadialProfile<Bands, R> profile = sphere_profile<Bands>(sight, R(radius));
+    unroll<0, Bands>([&](auto l) ZONAL_INLINE {
+      const R factor = R(detail::zonal_to_degree(l)) * R(kernel.values[l]);
+      profile.value.values[l] = profile.value.values[l] * factor;
+      profile.slope.values[l] = profile.slope.values[l] * factor;
+    });
+    return profile;
+  }
+};
+
+}  // namespace zonal

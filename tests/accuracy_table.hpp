@@ -17,6 +17,7 @@ struct Accuracy {
 inline constexpr std::string_view kAllDirections = "all unit vectors, poles included";
 inline constexpr std::string_view kAllCosines = "-1 to 1";
 inline constexpr std::string_view kOfTheDegree = "sqrt((2l+1)/4pi)";
+inline constexpr std::string_view kSteepest = "the degree's steepest slope";
 inline constexpr std::string_view kAllCaps = "half angles from asin(1e-12) to pi - asin(1e-12)";
 inline constexpr std::string_view kLargest = "largest coefficient";
 inline constexpr std::string_view kUlpOfResult = "ulp of the result";
@@ -35,6 +36,9 @@ inline constexpr Accuracy kAccuracyTable[] = {
     {"evaluate_zonal", "float", 10, kAllCosines, kOfTheDegree, 3e-6},
     {"evaluate_zonal", "float", 21, kAllCosines, kOfTheDegree, 1.2e-5},
     {"evaluate_zonal", "double", 21, kAllCosines, kOfTheDegree, 1e-13},
+    {"evaluate_with_gradient", "float", 10, kAllDirections, kSteepest, 4e-6},
+    {"evaluate_with_gradient", "float", 21, kAllDirections, kSteepest, 1e-5},
+    {"evaluate_with_gradient", "double", 21, kAllDirections, kSteepest, 1e-13},
     {"project(SphericalCap)", "float", 10, kAllCaps, kLargest, 4e-7},
     {"project(SphericalCap)", "float", 21, kAllCaps, kLargest, 4e-7},
     {"project(SphericalCap)", "float", 51, kAllCaps, kLargest, 8e-7},

@@ -39,7 +39,7 @@ struct HvlRecord {
   T position[3], normal[3];
   T tangent[3];  // the direction to the primary light, projected on the tangent plane
   T radius;
-  T emission[3][static_cast<std::size_t>(emission_size)];  // RGB: Phi F' / (pi r^2)
+  T emission[3][static_cast<std::size_t>(emission_size)];  // RGB: Phi F' / r^2, pi times the radiance
 
   /// field(i) for i < field_count: the order in which the cache stores them.
   static constexpr int field_count = 10 + 3 * emission_size;
@@ -108,9 +108,8 @@ ZONAL_INLINE inline void hvl_radiance(const HvlRecord<NE, T>& light, const Recei
     for (int c = 0; c < 3; ++c) by_degree[c][l] = by_degree[c][l] + T(f[c]) * y;
   });
   T reflected[3] = {T(0), T(0), T(0)};
-  project<N>(cap, [&](auto l, const T& z) ZONAL_INLINE {
-    const T a = T(detail::zonal_to_degree(l)) * z;
-    for (int c = 0; c < 3; ++c) reflected[c] = reflected[c] + a * by_degree[c][l];
+  detail::cap_sums<N>(cap, [&](auto l, const T& sum) ZONAL_INLINE {  // A_l / pi
+    for (int c = 0; c < 3; ++c) reflected[c] = reflected[c] + sum * by_degree[c][l];
   });
   for (int c = 0; c < 3; ++c) radiance[c] = max(sent[c], T(0)) * geometry * reflected[c];
 }
@@ -151,7 +150,7 @@ class HvlCache {
     const glm::vec3 tangent = detail::tangent_towards(light.normal, light.to_primary);
     const EvenSh<NE, glm::vec3> reflected =
         light.material->template without_cosine<NE>(glm::dot(light.normal, light.to_primary));
-    const glm::vec3 scale = light.flux / (static_cast<float>(kPi) * light.radius * light.radius);
+    const glm::vec3 scale = light.flux / (light.radius * light.radius);
 
     HvlRecord<NE, float> record;
     for (int i = 0; i < 3; ++i) {

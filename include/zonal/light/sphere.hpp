@@ -17,19 +17,20 @@
 
 namespace zonal {
 
-/// The profile of a sphere of radiance 1 [1, Eq. 9, 14-16].
+/// The profile of a sphere of radiance 1 [1, Eq. 9, 14-16]. With the constants of the cap and of the orientation together,
+/// A_l = pi sin^2 a e_l and A_l' = -2 pi sin^2 a / (d cos a) P_l(cos a).
 template <int N, class T>
 ZONAL_INLINE constexpr RadialProfile<N, T> sphere_profile(const Sight<T>& sight, const T& radius) {
-  const auto cap = SphericalCap<T>::from_sphere(sight.distance, radius);
+  const T sin_angle = min(radius * sight.inverse_distance, T(1));
+  const T cos_angle = sqrt((T(1) - sin_angle) * (T(1) + sin_angle));
+  const SphericalCap<T> cap{cos_angle, sin_angle};
   constexpr long double least_cosine = constexpr_sqrt(std::numeric_limits<lane_t<T>>::epsilon()) / 2;
-  const T angle_slope = select(radius <= sight.distance,
-                               -(cap.sin_angle * sight.inverse_distance) / max(cap.cos_angle, T(least_cosine)), T(0));
+  const T tangent = sin_angle / max(cos_angle, T(least_cosine));
+  const T slope = select(sight.distance < radius, T(0), T(-2 * kPi) * (sin_angle * tangent * sight.inverse_distance));
   RadialProfile<N, T> profile{};
-  project<N>(cap, [&](auto l, const T& z) ZONAL_INLINE {
-    profile.value.values[l] = T(detail::zonal_to_degree(l)) * z;
-  });
-  project_derivative<N>(cap, [&](auto l, const T& derivative) ZONAL_INLINE {
-    profile.slope.values[l] = T(detail::zonal_to_degree(l)) * (derivative * angle_slope);
+  detail::cap_sums<N>(cap, [&](auto l, const T& sum) ZONAL_INLINE { profile.value.values[l] = T(kPi) * sum; });
+  detail::cap_legendre<N>(cap, [&](auto l, const T& legendre) ZONAL_INLINE {
+    profile.slope.values[l] = slope * legendre;
   });
   return profile;
 }

@@ -54,15 +54,15 @@ ZONAL_INLINE constexpr T versine(const SphericalCap<T>& cap) {
 }
 }  // namespace detail
 
-/// The zonal coefficients of the cap's indicator (1 inside, 0 outside) to sink(l, value).
-/// Greatest error against the largest coefficient, at every angle: docs/accuracy.md.
+namespace detail {
+// z_l without its constant, 2 z_l / sqrt(pi (2l+1)), to sink(l, value): sin^2 a e_l, and 2 (1 - cos a) for l = 0.
 template <int N, class T, class Sink>
-ZONAL_INLINE constexpr void project(const SphericalCap<T>& cap, Sink&& sink) {
+ZONAL_INLINE constexpr void cap_sums(const SphericalCap<T>& cap, Sink&& sink) {
   const auto is_small = T(0) < cap.cos_angle;
   const T cosine = abs(cap.cos_angle);
   const T sin2 = cap.sin_angle * cap.sin_angle;
-  const T t = detail::versine(cap);
-  sink(Index<0>{}, T(constexpr_sqrt(kPi)) * select(is_small, t, T(1) + cosine));
+  const T t = versine(cap);
+  sink(Index<0>{}, T(2) * select(is_small, t, T(1) + cosine));
 
   // All times sin^2 a: e_l and d_l. For a cap narrow against the bands e_l stays near its first value, and adding each
   // small d_l to it would round them away; so the d_l are summed apart. For a wide one e_l itself becomes small, and is
@@ -77,12 +77,39 @@ ZONAL_INLINE constexpr void project(const SphericalCap<T>& cap, Sink&& sink) {
       sum = sum + d;
       e = apart + sum;
     }
-    const T value = T(constexpr_sqrt(kPi * (2 * l + 1)) / 2) * e;
     if constexpr (l % 2 == 1) {
-      sink(l, value);
+      sink(l, e);
     } else {
-      sink(l, even_sign * value);
+      sink(l, even_sign * e);
     }
+  });
+}
+
+// P_l(cos a) to sink(l, value).
+template <int N, class T, class Sink>
+ZONAL_INLINE constexpr void cap_legendre(const SphericalCap<T>& cap, Sink&& sink) {
+  const T t = versine(cap);
+  const T odd_sign = select(cap.cos_angle < T(0), T(-1), T(1));  // P_l(-x) = (-1)^l P_l(x)
+  T legendre = T(1), step = T(0);
+  unroll<0, N>([&](auto l) ZONAL_INLINE {
+    if constexpr (l == 1) step = -t;
+    if constexpr (l > 1) step = T((l - 1.0L) / l) * step - T((2 * l - 1.0L) / l) * (t * legendre);
+    if constexpr (l > 0) legendre = legendre + step;
+    if constexpr (l % 2 == 1) {
+      sink(l, odd_sign * legendre);
+    } else {
+      sink(l, legendre);
+    }
+  });
+}
+}  // namespace detail
+
+/// The zonal coefficients of the cap's indicator (1 inside, 0 outside) to sink(l, value).
+/// Greatest error against the largest coefficient, at every angle: docs/accuracy.md.
+template <int N, class T, class Sink>
+ZONAL_INLINE constexpr void project(const SphericalCap<T>& cap, Sink&& sink) {
+  detail::cap_sums<N>(cap, [&](auto l, const T& sum) ZONAL_INLINE {
+    sink(l, T(constexpr_sqrt(kPi * (2 * l + 1)) / 2) * sum);
   });
 }
 
@@ -97,19 +124,8 @@ constexpr Zh<N, T> project(const SphericalCap<T>& cap) {
 /// dz_l/da, per radian, to sink(l, value). Greatest error against the largest of them: docs/accuracy.md.
 template <int N, class T, class Sink>
 ZONAL_INLINE constexpr void project_derivative(const SphericalCap<T>& cap, Sink&& sink) {
-  const T t = detail::versine(cap);
-  const T odd_sign = select(cap.cos_angle < T(0), T(-1), T(1));  // P_l(-x) = (-1)^l P_l(x)
-  T legendre = T(1), step = T(0);
-  unroll<0, N>([&](auto l) ZONAL_INLINE {
-    if constexpr (l == 1) step = -t;
-    if constexpr (l > 1) step = T((l - 1.0L) / l) * step - T((2 * l - 1.0L) / l) * (t * legendre);
-    if constexpr (l > 0) legendre = legendre + step;
-    const T value = T(constexpr_sqrt(kPi * (2 * l + 1))) * (cap.sin_angle * legendre);
-    if constexpr (l % 2 == 1) {
-      sink(l, odd_sign * value);
-    } else {
-      sink(l, value);
-    }
+  detail::cap_legendre<N>(cap, [&](auto l, const T& legendre) ZONAL_INLINE {
+    sink(l, T(constexpr_sqrt(kPi * (2 * l + 1))) * (cap.sin_angle * legendre));
   });
 }
 

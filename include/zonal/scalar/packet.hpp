@@ -70,6 +70,23 @@ struct Packet {
     }
     return r;
   }
+  /// K values, each in W / K consecutive lanes.
+  template <int K>
+  ZONAL_INLINE static Packet blocks(const T (&values)[std::size_t{K}]) {
+    static_assert(W % (K * Registers::step) == 0, "each block fills whole registers");
+    Packet r;
+    for (int i = 0; i < W / Registers::step; ++i) {
+      r.lanes.values[i] = Eigen::internal::pset1<typename Registers::Register>(values[i * Registers::step * K / W]);
+    }
+    return r;
+  }
+  /// The same lanes K times over.
+  template <int K>
+  ZONAL_INLINE Packet<T, W * K> repeated() const {
+    Packet<T, W * K> r;
+    for (int i = 0; i < K * W / Registers::step; ++i) r.lanes.values[i] = lanes.values[i % (W / Registers::step)];
+    return r;
+  }
   ZONAL_INLINE void store(T* values) const {
     for (int i = 0; i < W / Registers::step; ++i) {
       Eigen::internal::pstoreu(values + i * Registers::step, lanes.values[i]);
@@ -155,6 +172,21 @@ struct Packet {
         mask.bits, a.lanes, b.lanes));
   }
 };
+
+/// sum += a * b, where a and b may have several times the lanes: all of them are added up.
+template <class T, int W, int V>
+ZONAL_INLINE inline void add_product(Packet<T, W>& sum, const Packet<T, V>& a, const Packet<T, V>& b) {
+  constexpr int step = Packet<T, W>::Registers::step;
+  static_assert(V % W == 0 && Packet<T, V>::Registers::step == step, "whole multiples, in registers of one size");
+  for (int i = 0; i < V / step; ++i) {
+    auto& target = sum.lanes.values[i % (W / step)];
+    target = Eigen::internal::pmadd(a.lanes.values[i], b.lanes.values[i], target);
+  }
+}
+template <class T, int W>  // for the compiler, which has no preference between the above and the one of any scalar
+ZONAL_INLINE inline void add_product(Packet<T, W>& sum, const Packet<T, W>& a, const Packet<T, W>& b) {
+  add_product<T, W, W>(sum, a, b);
+}
 
 template <class T, int W>
 struct ScalarTraits<Packet<T, W>> {

@@ -79,6 +79,12 @@ IfBuiltin<T, T> exp(T a) {
   return std::exp(a);
 }
 
+/// sum += a * b. Packets have one that folds (packet.hpp).
+template <class T>
+ZONAL_INLINE constexpr void add_product(T& sum, const T& a, const T& b) {
+  sum = sum + a * b;
+}
+
 template <class T>
 ZONAL_INLINE constexpr T clamp(T x, T low, T high) {
   return min(max(x, low), high);

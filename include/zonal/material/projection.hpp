@@ -27,7 +27,7 @@
 
 #include "../basis/evaluate.hpp"
 #include "../basis/sh.hpp"
-#include "quadrature.hpp"
+#include "../scalar/quadrature.hpp"
 
 namespace zonal {
 

@@ -61,4 +61,28 @@ ZONAL_INLINE constexpr T angle_from(const T& cos_angle, const T& sin_angle) {
   return select(cos_angle < T(0), T(kPi) - acute, acute);
 }
 
+/// sin(x) and cos(x) for |x| <= pi/2, by their Taylor series. Greatest error 1.5 ulp of 1.
+template <class T>
+struct SinCos {
+  T sine, cosine;
+};
+template <class T>
+ZONAL_INLINE constexpr SinCos<T> sin_cos(const T& x) {
+  // Terms until the first one left out, (pi/2)^k / k!, is below a quarter ulp of 1.
+  constexpr int last = digits_v<T> <= 24 ? 13 : digits_v<T> <= 53 ? 23 : 27;
+  constexpr auto inverse_factorial = [](int k) {
+    long double f = 1;
+    for (int i = 2; i <= k; ++i) f /= i;
+    return f;
+  };
+  const T square = x * x;
+  T sine = T(inverse_factorial(last)), cosine = T(inverse_factorial(last - 1));
+  unroll<0, (last - 1) / 2>([&](auto i) ZONAL_INLINE {
+    constexpr int k = last - 2 - 2 * i;
+    sine = T(inverse_factorial(k)) - square * sine;
+    cosine = T(inverse_factorial(k - 1)) - square * cosine;
+  });
+  return {x * sine, cosine};
+}
+
 }  // namespace zonal

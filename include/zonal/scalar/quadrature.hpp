@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "../scalar/constexpr_math.hpp"
+#include "constexpr_math.hpp"
 
 namespace zonal {
 

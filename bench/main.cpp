@@ -1,12 +1,44 @@
+// zonal-bench                  Google Benchmark, with all its flags
+// zonal-bench --table          HVL Fig. 6 as a table
+// zonal-bench --table=quick    the same table, of times that mean nothing
+
+#include <string_view>
+#include <vector>
+
 #include "bench.hpp"
+#include "table.hpp"
+
 int main(int argc, char** argv) {
-  const zonal_bench::Effort effort;
-  zonal_bench::register_evaluate(effort);
-  zonal_bench::register_cap(effort);
-  zonal_bench::register_orient(effort);
-  zonal_bench::register_gather(effort);
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  benchmark::RunSpecifiedBenchmarks();
+  using namespace zonal_bench;
+  // Interleaved, or another process would disturb all runs of a benchmark alike. Flags that follow win.
+  char interleave[] = "--benchmark_enable_random_interleaving=true";
+  std::vector<char*> arguments{argv[0]};
+  bool is_table = false;
+  Effort effort;
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view argument = argv[i];
+    if (argument == "--table" || argument == "--table=quick") {
+      is_table = true;
+      effort = argument == "--table" ? Effort{0.02, 7} : Effort{1e-9, 1};
+      arguments.insert(arguments.begin() + 1, interleave);
+    } else {
+      arguments.push_back(argv[i]);
+    }
+  }
+  int count = static_cast<int>(arguments.size());
+  arguments.push_back(nullptr);
+
+  register_evaluate(effort);
+  register_cap(effort);
+  register_orient(effort);
+  register_gather(effort);
+  benchmark::Initialize(&count, arguments.data());
+  if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
+  if (is_table) {
+    const auto reporter = make_table_reporter();
+    benchmark::RunSpecifiedBenchmarks(reporter.get());
+  } else {
+    benchmark::RunSpecifiedBenchmarks();
+  }
   benchmark::Shutdown();
 }

@@ -56,6 +56,6 @@ zonal_setup() {
   # Later changes to CMakeLists.txt are the build's own business: it configures again by itself.
   if [ ! -f "$zonal_build/build.ninja" ] || ! grep -qx "$require:BOOL=ON" "$cache"; then
     zonal_say "configuring build/release"
-    (cd "$zonal_root" && cmake --preset release "-D$require=ON")
+    (cd "$zonal_root" && cmake --preset release -DZONAL_REQUIRE_EXAMPLES=ON "-D$require=ON")
   fi
 }

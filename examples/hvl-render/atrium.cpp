@@ -271,7 +271,7 @@ Scene make_atrium() {
   add_furniture(builder, palette, stone);
 
   scene.camera = {{0.45f, 1.75f, 6.3f}, {-0.15f, 2.05f, -4.0f}, glm::radians(58.0f)};
-  scene.light.position = {1.8f, 4.6f, 1.4f};
+  scene.light.position = {1.8f, 4.6f, 2.8f};
   scene.light.axis = glm::normalize(glm::vec3(-1.5f, 0.0f, -0.4f) - scene.light.position);
   scene.light.half_angle = glm::radians(65.0f);
   scene.light.edge = 0.45f;

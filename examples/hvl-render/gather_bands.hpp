@@ -12,9 +12,9 @@
 
 namespace hvl_render {
 
-/// What --bands and --emission-bands offer. Each pair is a kernel of its own, a second or two of compile
-/// time, and that for each horizon, which has a source file of its own.
-inline constexpr std::array compiled_bands{1, 2, 3, 4, 5, 7, 9, 12};
+/// What --bands and --emission-bands offer. Each pair is a kernel of its own, a second of compile time and
+/// more, and that for each horizon, which has a source file of its own.
+inline constexpr std::array compiled_bands{1, 2, 3, 4, 5, 7, 9};
 inline constexpr std::array compiled_emission_bands{1, 3, 5};
 
 template <std::size_t Size>

@@ -1,39 +1,20 @@
 #include "gather_hvl.hpp"
 
 #include "gather_bands.hpp"
-#include "scene.hpp"
+#include "input_error.hpp"
 
 namespace hvl_render {
 
-extern template std::unique_ptr<Gatherer> make_gatherer_with<zonal::Horizon::none>(
-    const std::vector<zonal::VirtualLight>& lights, int bands, int emission_bands);
 extern template std::unique_ptr<Gatherer> make_gatherer_with<zonal::Horizon::smoothstep>(
     const std::vector<zonal::VirtualLight>& lights, int bands, int emission_bands);
 extern template std::unique_ptr<Gatherer> make_gatherer_with<zonal::Horizon::exact>(
     const std::vector<zonal::VirtualLight>& lights, int bands, int emission_bands);
 
-namespace {
-
-std::unique_ptr<Gatherer> find_gatherer(const std::vector<zonal::VirtualLight>& lights,
-                                        const Options& options) {
-  const int bands = options.bands;
-  const int emission_bands = options.emission_bands;
-  switch (options.horizon) {
-    case HorizonRule::none:
-      return make_gatherer_with<zonal::Horizon::none>(lights, bands, emission_bands);
-    case HorizonRule::exact:
-      return make_gatherer_with<zonal::Horizon::exact>(lights, bands, emission_bands);
-    case HorizonRule::smoothstep:
-      break;
-  }
-  return make_gatherer_with<zonal::Horizon::smoothstep>(lights, bands, emission_bands);
-}
-
-}  // namespace
-
 std::unique_ptr<Gatherer> make_gatherer(const std::vector<zonal::VirtualLight>& lights,
                                         const Options& options) {
-  std::unique_ptr<Gatherer> gatherer = find_gatherer(lights, options);
+  const auto make = options.horizon == HorizonRule::exact ? make_gatherer_with<zonal::Horizon::exact>
+                                                          : make_gatherer_with<zonal::Horizon::smoothstep>;
+  std::unique_ptr<Gatherer> gatherer = make(lights, options.bands, options.emission_bands);
   if (!gatherer) throw InputError("these numbers of bands are not compiled in");
   return gatherer;
 }

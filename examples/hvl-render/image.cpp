@@ -146,7 +146,7 @@ ImageErrors compare(const Image& image, const Image& reference, const Display& d
   return errors;
 }
 
-Image difference_map(const Image& image, const Image& reference, const Display& display, float full_scale) {
+Image difference_map(const Image& image, const Image& reference, const Display& display) {
   const glm::vec3 zero(0.97f);
   const glm::vec3 brighter(0.78f, 0.07f, 0.10f);
   const glm::vec3 darker(0.09f, 0.24f, 0.70f);
@@ -154,7 +154,7 @@ Image difference_map(const Image& image, const Image& reference, const Display& 
   for (std::size_t i = 0; i < map.pixels.size(); ++i) {
     const double difference =
         luma(encode(image.pixels[i], display)) - luma(encode(reference.pixels[i], display));
-    const float share = std::min(1.0f, static_cast<float>(std::abs(difference)) / full_scale);
+    const float share = std::min(1.0f, static_cast<float>(std::abs(difference)) / difference_full_scale);
     map.pixels[i] = glm::mix(zero, difference > 0.0 ? brighter : darker, share);
   }
   return map;

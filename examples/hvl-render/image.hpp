@@ -56,8 +56,11 @@ ImageErrors compare(const Image& image, const Image& reference, const Display& d
 /// fits.
 double structural_similarity(const Image& encoded, const Image& encoded_reference);
 
-/// Signed difference of display luma as a heat map: red where `image` is brighter, blue where darker,
-/// saturated at `full_scale`. Returns display values.
-Image difference_map(const Image& image, const Image& reference, const Display& display, float full_scale);
+/// Display luma at which the difference map is fully red or blue: differences stand out four times amplified.
+constexpr float difference_full_scale = 0.25f;
+
+/// Signed difference of display luma as a heat map: red where `image` is brighter, blue where darker. Returns
+/// display values.
+Image difference_map(const Image& image, const Image& reference, const Display& display);
 
 }  // namespace hvl_render

@@ -1,19 +1,20 @@
 #include "image_file.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <system_error>
+#include <stdexcept>
+#include <vector>
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfStdIO.h>
 #include <stb_image_write.h>
 
-#include "scene.hpp"
+#include "input_error.hpp"
 
 namespace hvl_render {
 namespace {
@@ -35,38 +36,47 @@ Imf::FrameBuffer frame_buffer(Image& image, int origin_x, int origin_y) {
   return buffer;
 }
 
-std::string one_line(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
-}
-
 }  // namespace
 
-void write_png(const std::filesystem::path& path, const Image& encoded) {
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(encoded.pixels.size() * 3);
+// Both go through memory, because neither library tells of every write that fails, as on a full disk.
+
+std::string png_bytes(const Image& encoded) {
+  std::vector<std::uint8_t> samples;
+  samples.reserve(encoded.pixels.size() * 3);
   for (const glm::vec3& pixel : encoded.pixels) {
     for (int channel = 0; channel < 3; ++channel) {
-      bytes.push_back(
+      samples.push_back(
           static_cast<std::uint8_t>(std::lround(255.0f * glm::clamp(pixel[channel], 0.0f, 1.0f))));
     }
   }
-  if (stbi_write_png(path.c_str(), encoded.width, encoded.height, 3, bytes.data(), encoded.width * 3) == 0) {
-    throw std::runtime_error("cannot write " + path.string());
+  std::string bytes;
+  const auto append = [](void* target, void* data, int size) {
+    static_cast<std::string*>(target)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
+  };
+  if (stbi_write_png_to_func(append, &bytes, encoded.width, encoded.height, 3, samples.data(),
+                             encoded.width * 3) == 0) {
+    throw std::runtime_error("cannot encode a PNG file");
   }
+  return bytes;
 }
 
-void write_exr(const std::filesystem::path& path, const Image& radiance) {
+std::string exr_bytes(const Image& radiance) {
   Image pixels = radiance;
   Imf::Header header(radiance.width, radiance.height);
   header.compression() = Imf::ZIP_COMPRESSION;
   for (const char* channel : channel_names) header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
-  Imf::OutputFile file(path.c_str(), header);
-  file.setFrameBuffer(frame_buffer(pixels, 0, 0));
-  file.writePixels(radiance.height);
+  Imf::StdOSStream stream;
+  {
+    // Its destructor completes the file.
+    Imf::OutputFile file(stream, header);
+    file.setFrameBuffer(frame_buffer(pixels, 0, 0));
+    file.writePixels(radiance.height);
+  }
+  return stream.str();
 }
 
 Image read_exr(const std::filesystem::path& path) {
+  check_is_file(path);
   try {
     Imf::InputFile file(path.c_str());
     for (const char* channel : channel_names) {

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,9 +12,10 @@
 
 #include "gather_hvl.hpp"
 #include "image_file.hpp"
+#include "input_error.hpp"
 #include "interrupt.hpp"
 #include "options.hpp"
-#include "output_file.hpp"
+#include "outputs.hpp"
 #include "path.hpp"
 #include "progress.hpp"
 #include "render.hpp"
@@ -26,51 +26,8 @@
 namespace hvl_render {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr int exit_bad_input = 2;
-constexpr int exit_interrupted = 130;
-constexpr float difference_full_scale = 0.25f;  // the heat map shows differences four times amplified
-
-/// Linear radiance; an image that no one asked for is empty.
-struct Pictures {
-  Image hvl;
-  Image path;
-};
-
-/// Where the pictures and the report go; empty where there is none.
-struct Outputs {
-  explicit Outputs(const Options& options)
-      : picture(options.comparing() ? fs::path() : fs::path(options.out)), report(options.report) {
-    if (!options.comparing()) return;
-    directory.emplace(options.compare_directory);
-    const fs::path folder(options.compare_directory);
-    hvl = folder / "hvl";
-    reference = folder / "reference";
-    difference = folder / "difference.png";
-  }
-
-  fs::path picture;
-  fs::path report;
-  fs::path hvl, reference;  // without their extensions
-  fs::path difference;
-  std::optional<OutputDirectory> directory;
-};
-
-fs::path with_extension(fs::path path, const char* extension) {
-  return path += extension;
-}
-
-void check_outputs(const Outputs& outputs) {
-  if (!outputs.report.empty()) check_writable(outputs.report);
-  if (!outputs.picture.empty()) check_writable(outputs.picture);
-  if (!outputs.directory) return;
-  check_writable(outputs.difference);
-  for (const char* extension : {".png", ".exr"}) {
-    check_writable(with_extension(outputs.hvl, extension));
-    check_writable(with_extension(outputs.reference, extension));
-  }
-}
+constexpr int exit_by_signal = 128;  // and the signal's number, as of a shell
 
 std::optional<Image> load_reference(const Options& options) {
   if (options.reference.empty()) return std::nullopt;
@@ -134,49 +91,79 @@ struct Costs {
   double paths;
 };
 
-void render_slice(const Renderers& renderers, Slice slice, Pictures& pictures, Report& report,
-                  Progress& progress) {
-  const Options& options = report.options;
-  const Scene& scene = renderers.scene;
-  const Costs costs(options, report.counts);
-  const auto stage = [&](const char* label, double cost) {
-    return Stage{progress, label, cost * options.antialias * options.antialias};
-  };
-  Image& first = renderers.gatherer ? pictures.hvl : pictures.path;
+/// Renders a slice of the pictures, stage by stage.
+class SliceRenderer {
+ public:
+  SliceRenderer(const Renderers& renderers, Pictures& pictures, Report& report, Progress& progress)
+      : renderers_(renderers),
+        pictures_(pictures),
+        report_(report),
+        progress_(progress),
+        costs_(report.options, report.counts) {}
 
-  const PrimaryHits hits = report.times.time(stage_name::primary, [&] {
-    return trace_primary(renderers.caster, scene.camera, first, slice, options.antialias,
-                         stage(stage_name::primary, costs.primary));
-  });
-  report.counts.primary_hits += hits.count();
-  report.times.time(stage_name::direct, [&] {
-    add_radiance(first, hits, stage(stage_name::direct, costs.direct), [&](const Hit& hit, std::size_t) {
-      return direct_radiance(scene, renderers.caster, hit, towards_camera(scene, hit));
+  void render(Slice slice) {
+    Image& first = renderers_.gatherer ? pictures_.hvl : pictures_.path;
+    const PrimaryHits hits = trace_primary_rays(slice, first);
+    report_.counts.primary_hits += hits.count();
+    add_direct_light(first, hits);
+    if (report_.options.comparing()) share_direct_light(hits);
+    if (renderers_.gatherer) gather(hits);
+    if (renderers_.paths) trace_paths(hits);
+  }
+
+ private:
+  Stage stage(const char* label, double cost) {
+    const int antialias = report_.options.antialias;
+    return {progress_, label, cost * antialias * antialias};
+  }
+
+  PrimaryHits trace_primary_rays(Slice slice, const Image& image) {
+    return report_.times.time(stage_name::primary, [&] {
+      return trace_primary(renderers_.caster, renderers_.scene.camera, image, slice,
+                           report_.options.antialias, stage(stage_name::primary, costs_.primary));
     });
-  });
-  if (options.comparing()) {
-    const auto begin = static_cast<std::ptrdiff_t>(first.index(0, slice.first_row));
+  }
+
+  void add_direct_light(Image& image, const PrimaryHits& hits) {
+    const auto radiance = [&](const Hit& hit, std::size_t) {
+      return direct_radiance(renderers_.scene, renderers_.caster, hit, towards_camera(renderers_.scene, hit));
+    };
+    report_.times.time(stage_name::direct, [&] {
+      add_radiance(image, hits, stage(stage_name::direct, costs_.direct), radiance);
+    });
+  }
+
+  void share_direct_light(const PrimaryHits& hits) {
+    const auto begin = static_cast<std::ptrdiff_t>(pictures_.hvl.index(0, hits.slice().first_row));
     const auto count = static_cast<std::ptrdiff_t>(hits.pixel_count());
-    std::copy_n(pictures.hvl.pixels.begin() + begin, count, pictures.path.pixels.begin() + begin);
+    std::copy_n(pictures_.hvl.pixels.begin() + begin, count, pictures_.path.pixels.begin() + begin);
   }
-  if (renderers.gatherer) {
-    report.times.time(stage_name::gather, [&] {
-      add_radiance(pictures.hvl, hits, stage(stage_name::gather, costs.gather),
-                   [&](const Hit& hit, std::size_t) {
-                     return renderers.gatherer->indirect_radiance(hit, towards_camera(scene, hit),
-                                                                  renderers.tables.receiving[hit.material]);
-                   });
+
+  void gather(const PrimaryHits& hits) {
+    const auto radiance = [&](const Hit& hit, std::size_t) {
+      return renderers_.gatherer->indirect_radiance(hit, towards_camera(renderers_.scene, hit),
+                                                    renderers_.tables.receiving[hit.material]);
+    };
+    report_.times.time(stage_name::gather, [&] {
+      add_radiance(pictures_.hvl, hits, stage(stage_name::gather, costs_.gather), radiance);
     });
   }
-  if (renderers.paths) {
-    report.times.time(stage_name::paths, [&] {
-      add_radiance(pictures.path, hits, stage(stage_name::paths, costs.paths),
-                   [&](const Hit& hit, std::size_t sample) {
-                     return renderers.paths->indirect_radiance(hit, sample);
-                   });
+
+  void trace_paths(const PrimaryHits& hits) {
+    const auto radiance = [&](const Hit& hit, std::size_t sample) {
+      return renderers_.paths->indirect_radiance(hit, sample);
+    };
+    report_.times.time(stage_name::paths, [&] {
+      add_radiance(pictures_.path, hits, stage(stage_name::paths, costs_.paths), radiance);
     });
   }
-}
+
+  const Renderers& renderers_;
+  Pictures& pictures_;
+  Report& report_;
+  Progress& progress_;
+  Costs costs_;
+};
 
 Pictures render(const Renderers& renderers, Report& report) {
   const Options& options = report.options;
@@ -191,44 +178,11 @@ Pictures render(const Renderers& renderers, Report& report) {
 
   Progress progress(!options.quiet);
   progress.expect(Costs(options, report.counts).sum() * static_cast<double>(report.counts.primary_samples));
+  SliceRenderer renderer(renderers, pictures, report, progress);
   for (int row = 0; row < options.height; row += rows_per_slice) {
-    const Slice slice{row, std::min(rows_per_slice, options.height - row)};
-    render_slice(renderers, slice, pictures, report, progress);
+    renderer.render({row, std::min(rows_per_slice, options.height - row)});
   }
   return pictures;
-}
-
-void write_picture(const fs::path& path, const Image& radiance, const Display& display) {
-  write_in_place(path, [&](const fs::path& temporary) {
-    if (path.extension() == ".exr") {
-      write_exr(temporary, radiance);
-    } else {
-      write_png(temporary, encode(radiance, display));
-    }
-  });
-}
-
-void write_report(const fs::path& path, const Report& report) {
-  write_in_place(path, [&](const fs::path& temporary) {
-    std::ofstream file(temporary);
-    file.exceptions(std::ios::failbit | std::ios::badbit);
-    file << json_text(report) << std::flush;
-  });
-}
-
-void write_outputs(const Outputs& outputs, const Pictures& pictures, const Report& report) {
-  const Display& display = report.options.display;
-  if (!outputs.picture.empty())
-    write_picture(outputs.picture, pictures.hvl.width > 0 ? pictures.hvl : pictures.path, display);
-  if (outputs.directory) {
-    for (const char* extension : {".png", ".exr"}) {
-      write_picture(with_extension(outputs.hvl, extension), pictures.hvl, display);
-      write_picture(with_extension(outputs.reference, extension), pictures.path, display);
-    }
-    const Image difference = difference_map(pictures.hvl, pictures.path, display, difference_full_scale);
-    write_in_place(outputs.difference, [&](const fs::path& temporary) { write_png(temporary, difference); });
-  }
-  if (!outputs.report.empty()) write_report(outputs.report, report);
 }
 
 void count_non_finite(Pictures& pictures, Report& report) {
@@ -243,7 +197,6 @@ void run(const Options& options) {
   report.options = options;
   report.machine_cores = tbb::info::default_concurrency();
   report.threads = options.threads > 0 ? options.threads : report.machine_cores;
-  report.difference_full_scale = static_cast<double>(difference_full_scale);
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(report.threads));
 
@@ -251,7 +204,6 @@ void run(const Options& options) {
   const std::optional<Image> reference = load_reference(options);
   const Scene scene = report.times.time(stage_name::scene, [&] { return load_scene(options); });
   const Outputs outputs(options);
-  check_outputs(outputs);
 
   const auto caster =
       report.times.time(stage_name::scene, [&] { return std::make_unique<RayCaster>(scene); });
@@ -267,7 +219,7 @@ void run(const Options& options) {
   if (reference)
     report.errors = compare(renderers.gatherer ? pictures.hvl : pictures.path, *reference, options.display);
   throw_if_interrupted();
-  write_outputs(outputs, pictures, report);
+  outputs.write(pictures, report);
   if (!options.quiet) std::fputs(table(report).c_str(), stdout);
 }
 
@@ -280,7 +232,7 @@ int run_main(int argc, char** argv) {
     return 0;
   } catch (const Interrupted&) {
     std::fputs("hvl-render: interrupted, nothing written\n", stderr);
-    return exit_interrupted;
+    return exit_by_signal + stop_signal();
   } catch (const InputError& error) {
     std::fprintf(stderr, "hvl-render: %s\n", error.what());
     return exit_bad_input;

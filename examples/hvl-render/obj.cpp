@@ -5,20 +5,21 @@
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <system_error>
 #include <tuple>
 
 #include <tiny_obj_loader.h>
 #include <glm/gtc/constants.hpp>
 
+#include "input_error.hpp"
 #include "mesh_builder.hpp"
+#include "obj_check.hpp"
 
 namespace hvl_render {
 namespace {
 
 constexpr float least_roughness = 0.03f;
-constexpr float cos_crease =
-    0.5f;  // without normals, faces that meet at less than 60 degrees are one smooth surface
+// Without normals, faces that meet at less than 60 degrees are one smooth surface.
+constexpr float cos_crease = 0.5f;
 
 std::string first_line(const std::string& text) {
   return text.substr(0, text.find('\n'));
@@ -66,8 +67,9 @@ class ObjMesh {
     for_each_face(source, [&](const tinyobj::index_t* corners, int material) {
       glm::uvec3 triangle{};
       for (int i = 0; i < 3; ++i) {
-        const glm::vec3 smooth = normal(corners[i]).value_or(creased_normal(corners[i], area(corners)));
-        triangle[i] = vertex(position(corners[i]), smooth);
+        const std::optional<glm::vec3> given = normal(corners[i]);
+        triangle[i] =
+            vertex(position(corners[i]), given ? *given : creased_normal(corners[i], area(corners)));
       }
       mesh_.triangles.push_back(triangle);
       mesh_.triangle_materials.push_back(material < 0 ? default_material
@@ -108,9 +110,7 @@ class ObjMesh {
     const auto first = 3 * static_cast<std::size_t>(corner.vertex_index);
     if (corner.vertex_index < 0 || first + 2 >= source_.vertices.size())
       throw InputError("a face names a vertex that is not there");
-    const glm::vec3 point(source_.vertices[first], source_.vertices[first + 1], source_.vertices[first + 2]);
-    if (!std::isfinite(point.x + point.y + point.z)) throw InputError("a vertex is not finite");
-    return point;
+    return {source_.vertices[first], source_.vertices[first + 1], source_.vertices[first + 2]};
   }
 
   std::optional<glm::vec3> normal(const tinyobj::index_t& corner) const {
@@ -176,13 +176,12 @@ void add_stage(Scene& scene, const Bounds& bounds) {
 }
 
 void warn(const std::string& path, const std::string& warning) {
-  std::fprintf(stderr, "hvl-render: warning: %s: %s\n", path.c_str(), first_line(warning).c_str());
+  std::fprintf(stderr, "hvl-render: warning: %s: %s\n", path.c_str(), warning.c_str());
 }
 
 tinyobj::ObjReader read_obj(const std::string& path) {
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) throw InputError(path + ": no such file");
-  if (!std::filesystem::is_regular_file(path, error)) throw InputError(path + ": is not a file");
+  check_is_file(path);
+  const std::string material_file = check_obj(path);
   tinyobj::ObjReader reader;
   tinyobj::ObjReaderConfig config;
   config.triangulate = true;
@@ -191,7 +190,22 @@ tinyobj::ObjReader read_obj(const std::string& path) {
     throw InputError(path + ": cannot be read as OBJ" +
                      (reader.Error().empty() ? "" : " (" + first_line(reader.Error()) + ")"));
   }
+  if (!material_file.empty() && reader.GetMaterials().empty()) {
+    throw InputError(path + ": its material file " + material_file + " is missing or has no materials");
+  }
   return reader;
+}
+
+void warn_of_losses(const std::string& path, const tinyobj::ObjReader& reader) {
+  if (!reader.Warning().empty()) warn(path, first_line(reader.Warning()));
+  const auto has_more = [](const tinyobj::material_t& material) {
+    const glm::vec3 emission(material.emission[0], material.emission[1], material.emission[2]);
+    return !material.diffuse_texname.empty() || emission != glm::vec3(0.0f);
+  };
+  const std::vector<tinyobj::material_t>& materials = reader.GetMaterials();
+  if (std::any_of(materials.begin(), materials.end(), has_more)) {
+    warn(path, "textures and emission are left out");
+  }
 }
 
 }  // namespace
@@ -213,7 +227,7 @@ Scene load_obj(const std::string& path, bool stage) {
   const Bounds bounds = bounds_of(scene.mesh);
   fit_view(scene, bounds);
   if (stage) add_stage(scene, bounds);
-  if (!reader.Warning().empty()) warn(path, reader.Warning());
+  warn_of_losses(path, reader);
   return scene;
 }
 

@@ -3,37 +3,23 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <functional>
+#include <memory>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
+#include <zonal/version.hpp>
 
 #include "gather_hvl.hpp"
-#include "scene.hpp"
+#include "help_formatter.hpp"
+#include "input_error.hpp"
+#include "option_names.hpp"
 
 namespace hvl_render {
 namespace {
-
-/// Names in the order in which --help shows them.
-template <class Value>
-using Names = std::vector<std::pair<std::string, Value>>;
-
-const Names<Method> method_names{{"hvl", Method::hvl}, {"path", Method::path}};
-const Names<HorizonRule> horizon_names{
-    {"smoothstep", HorizonRule::smoothstep}, {"exact", HorizonRule::exact}, {"none", HorizonRule::none}};
-const Names<WindowRule> window_names{
-    {"none", WindowRule::none}, {"hann", WindowRule::hann}, {"sinc", WindowRule::sinc}};
-const Names<ToneMap> tone_names{{"filmic", ToneMap::filmic}, {"clamp", ToneMap::clamp}};
-
-template <class Value>
-std::string name_of(const Names<Value>& names, Value value) {
-  const auto found =
-      std::find_if(names.begin(), names.end(), [&](const auto& entry) { return entry.second == value; });
-  return found->first;
-}
 
 /// The whole text as one number.
 template <class Number>
@@ -82,9 +68,15 @@ CLI::Validator radius_rule() {
   return CLI::Validator(check, "");
 }
 
+CLI::Validator not_empty() {
+  const Check check = [](const std::string& text) { return text.empty() ? "the name is empty" : ""; };
+  return CLI::Validator(check, "");
+}
+
 CLI::Validator image_name() {
   const Check check = [](const std::string& text) -> std::string {
-    if (text.ends_with(".png") || text.ends_with(".exr")) return {};
+    const std::filesystem::path extension = std::filesystem::path(text).extension();
+    if (extension == ".png" || extension == ".exr") return {};
     return "'" + text + "' does not end in .png or .exr";
   };
   return CLI::Validator(check, "");
@@ -124,6 +116,16 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, const Names<Valu
       ->default_str(name_of(names, chosen));
 }
 
+/// A number with a default, within bounds; `range` is how they read.
+template <class Number>
+CLI::Option* add_number(CLI::App& app, const std::string& name, Number& number, Number least, Number greatest,
+                        const std::string& range, const std::string& help) {
+  return app.add_option(name, number, help)
+      ->type_name(range)
+      ->check(between(least, greatest, range))
+      ->capture_default_str();
+}
+
 /// A point x,y,z in metres.
 CLI::Option* add_point(CLI::App& app, const std::string& name, std::optional<glm::vec3>& point,
                        const std::string& help) {
@@ -156,10 +158,11 @@ CLI::Option* add_angle(CLI::App& app, const std::string& name, float greatest_de
 void add_run_options(CLI::App& app, Options& options) {
   const std::string group = "Run and output";
   CLI::Option* compare =
-      app.add_option(
-             "--compare", options.compare_directory,
-             "Render by both methods; write hvl, reference and difference (red: hvl is brighter) there")
+      app.add_option("--compare", options.compare_directory,
+                     "Render by both methods, and write hvl, reference and difference (red: hvl is brighter) "
+                     "there; excludes --method, --out and --reference")
           ->type_name("DIRECTORY")
+          ->check(not_empty())
           ->group(group);
   add_choice(app, "--method", method_names, options.method, "Virtual lights, or Monte Carlo paths")
       ->group(group)
@@ -172,15 +175,14 @@ void add_run_options(CLI::App& app, Options& options) {
       ->excludes(compare);
   app.add_option("--reference", options.reference, "Compare the picture with this one of the same size")
       ->type_name("FILE.exr")
+      ->check(not_empty())
       ->group(group)
       ->excludes(compare);
   app.add_option("--report", options.report, "Write options, times, counts and errors there")
       ->type_name("FILE.json")
+      ->check(not_empty())
       ->group(group);
-  app.add_option("--threads", options.threads, "How many; 0 is all of the machine's")
-      ->type_name("0...1024")
-      ->check(between(0, 1024, "0...1024"))
-      ->capture_default_str()
+  add_number(app, "--threads", options.threads, 0, 1024, "0...1024", "How many; 0 is all of the machine's")
       ->group(group);
   app.add_flag("--quiet", options.quiet, "Print neither progress nor the table")->group(group);
 }
@@ -189,10 +191,12 @@ void add_scene_options(CLI::App& app, Options& options) {
   const std::string group = "Scene";
   app.add_option("--scene", options.scene, "The built-in hall, or a Wavefront OBJ file with its MTL")
       ->type_name("atrium|FILE.obj")
+      ->check(not_empty())
       ->capture_default_str()
       ->group(group);
-  app.add_flag("--stage,!--no-stage", options.stage,
-               "Stand an OBJ on a floor before two walls (on by default)")
+  app.add_flag_callback(
+         "--no-stage", [&options] { options.stage = false; },
+         "Show an OBJ alone, not on a floor before two walls")
       ->group(group);
   ViewOverrides& view = options.view;
   add_point(app, "--camera", view.camera_position, "Where the camera is, in metres; y is up")->group(group);
@@ -218,16 +222,10 @@ void add_image_options(CLI::App& app, Options& options, std::string& size) {
       ->check(image_size())
       ->capture_default_str()
       ->group(group);
-  app.add_option("--antialias", options.antialias, "A: A x A positions in each pixel")
-      ->type_name("1...16")
-      ->check(between(1, 16, "1...16"))
-      ->capture_default_str()
+  add_number(app, "--antialias", options.antialias, 1, 16, "1...16", "A: A x A positions in each pixel")
       ->group(group);
-  app.add_option("--exposure", options.display.exposure_stops,
-                 "Stops brighter, in PNG files and for the errors")
-      ->type_name("-30...30")
-      ->check(between(-30.0f, 30.0f, "-30...30"))
-      ->capture_default_str()
+  add_number(app, "--exposure", options.display.exposure_stops, -30.0f, 30.0f, "-30...30",
+             "Stops brighter, in PNG files and for the errors")
       ->group(group);
   add_choice(app, "--tone", tone_names, options.display.tone_map,
              "From radiance to sRGB by a film curve, or cut off at 1")
@@ -236,10 +234,7 @@ void add_image_options(CLI::App& app, Options& options, std::string& size) {
 
 void add_hvl_options(CLI::App& app, Options& options, std::string& radius) {
   const std::string group = "Harmonics virtual lights";
-  app.add_option("--lights", options.lights, "How many; rounded up to a square")
-      ->type_name("1...1000000")
-      ->check(between(1, 1000000, "1...1000000"))
-      ->capture_default_str()
+  add_number(app, "--lights", options.lights, 1, 1000000, "1...1000000", "How many; rounded up to a square")
       ->group(group);
   app.add_option("--bands", options.bands, "Bands of the receiver's material")
       ->type_name(joined(gather_bands()))
@@ -258,10 +253,8 @@ void add_hvl_options(CLI::App& app, Options& options, std::string& radius) {
       ->check(radius_rule())
       ->capture_default_str()
       ->group(group);
-  app.add_option("--radius-factor", options.radius_factor, "Multiplies r1 and r2")
-      ->type_name("0.01...100")
-      ->check(between(0.01f, 100.0f, "0.01...100"))
-      ->capture_default_str()
+  add_number(app, "--radius-factor", options.radius_factor, 0.01f, 100.0f, "0.01...100",
+             "Multiplies r1 and r2")
       ->group(group);
   add_choice(app, "--horizon", horizon_names, options.horizon, "How the receiver's horizon cuts a light")
       ->group(group);
@@ -271,21 +264,14 @@ void add_hvl_options(CLI::App& app, Options& options, std::string& radius) {
 
 void add_path_options(CLI::App& app, Options& options) {
   const std::string group = "Path tracing";
-  app.add_option("--spp", options.samples_per_pixel,
-                 "Paths per pixel; rounded up to as many at each antialiasing position")
-      ->type_name("1...1000000")
-      ->check(between(1, 1000000, "1...1000000"))
-      ->capture_default_str()
+  add_number(app, "--spp", options.samples_per_pixel, 1, 1000000, "1...1000000",
+             "Paths per pixel; rounded up to as many at each antialiasing position")
       ->group(group);
-  app.add_option("--bounces", options.bounces, "Indirect bounces; virtual lights always have one")
-      ->type_name("1...64")
-      ->check(between(1, 64, "1...64"))
-      ->capture_default_str()
+  add_number(app, "--bounces", options.bounces, 1, 64, "1...64",
+             "Indirect bounces; virtual lights always have one")
       ->group(group);
-  app.add_option("--seed", options.seed, "Another seed, another noise")
-      ->type_name("0...2^64-1")
-      ->check(between(std::uint64_t{0}, ~std::uint64_t{0}, "0...2^64-1"))
-      ->capture_default_str()
+  add_number(app, "--seed", options.seed, std::uint64_t{0}, ~std::uint64_t{0}, "0...2^64-1",
+             "Another seed, another noise")
       ->group(group);
 }
 
@@ -306,34 +292,16 @@ void read_radius(const std::string& radius, Options& options) {
   }
 }
 
-std::string one_line(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
+/// One line about what is wrong, in other words than CLI11's where those are hard to read.
+std::string message(const CLI::ParseError& error) {
+  const std::string text = one_line(error.what());
+  if (error.get_name() != "ArgumentMismatch") return text;
+  return text.substr(0, text.find(':')) + " needs a value";
 }
 
-nlohmann::json radius_json(const Options& options) {
-  if (options.radius == RadiusRule::neighbours) return "r1";
-  if (options.radius == RadiusRule::field_of_view) return "r2";
-  return options.fixed_radius;
-}
-
-nlohmann::json point_json(const std::optional<glm::vec3>& point) {
-  return point ? nlohmann::json{point->x, point->y, point->z} : nlohmann::json();
-}
-
-nlohmann::json degrees_json(const std::optional<float>& radians, float scale) {
-  return radians ? nlohmann::json(scale * glm::degrees(*radians)) : nlohmann::json();
-}
-
-/// What the command line set; null is the scene's own.
-nlohmann::json view_json(const ViewOverrides& view) {
-  return {{"camera", point_json(view.camera_position)},
-          {"target", point_json(view.camera_target)},
-          {"fov_degrees", degrees_json(view.vertical_field_of_view, 1.0f)},
-          {"light", point_json(view.light_position)},
-          {"light_target", point_json(view.light_target)},
-          {"light_angle_degrees", degrees_json(view.light_half_angle, 2.0f)},
-          {"light_power_watts", view.light_power ? nlohmann::json(*view.light_power) : nlohmann::json()}};
+std::string version() {
+  return "hvl-render " + std::to_string(zonal::version_major) + "." + std::to_string(zonal::version_minor) +
+         "." + std::to_string(zonal::version_patch);
 }
 
 }  // namespace
@@ -343,10 +311,13 @@ CommandLine parse_command_line(int argc, char** argv) {
   std::string size = "640x512";
   std::string radius = "r2";
   CLI::App app(
-      "Renders a scene lit by one spotlight: direct light, and one bounce by Harmonics Virtual Lights or by "
-      "paths.",
+      "Renders a scene lit by one spotlight: direct light, and one bounce by Harmonics\n"
+      "Virtual Lights or by paths.",
       "hvl-render");
-  app.get_formatter()->column_width(44);
+  app.formatter(std::make_shared<HelpFormatter>());
+  app.set_version_flag("--version", version(), "Print the version and exit");
+  // So that what is added to a script's options counts.
+  app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   add_run_options(app, line.options);
   add_scene_options(app, line.options);
   add_image_options(app, line.options, size);
@@ -358,40 +329,11 @@ CommandLine parse_command_line(int argc, char** argv) {
     line.exit_status = app.exit(success);
     return line;
   } catch (const CLI::ParseError& error) {
-    throw InputError(one_line(error.what()));
+    throw InputError(message(error));
   }
   read_size(size, line.options);
   read_radius(radius, line.options);
   return line;
-}
-
-nlohmann::json to_json(const Options& options) {
-  return {
-      {"scene", options.scene},
-      {"stage", options.stage},
-      {"view", view_json(options.view)},
-      {"method", options.comparing() ? "compare" : name_of(method_names, options.method)},
-      {"lights", options.lights},
-      {"bands", options.bands},
-      {"emission_bands", options.emission_bands},
-      {"radius", radius_json(options)},
-      {"radius_factor", options.radius_factor},
-      {"horizon", name_of(horizon_names, options.horizon)},
-      {"window", name_of(window_names, options.window)},
-      {"samples_per_pixel", options.samples_per_pixel},
-      {"bounces", options.bounces},
-      {"seed", options.seed},
-      {"width", options.width},
-      {"height", options.height},
-      {"antialias", options.antialias},
-      {"exposure_stops", options.display.exposure_stops},
-      {"tone", name_of(tone_names, options.display.tone_map)},
-      {"out", options.comparing() ? options.compare_directory : options.out},
-      {"reference", options.reference},
-      {"report", options.report},
-      {"threads", options.threads},
-      {"quiet", options.quiet},
-  };
 }
 
 }  // namespace hvl_render

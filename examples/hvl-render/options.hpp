@@ -5,7 +5,6 @@
 #include <string>
 
 #include <glm/glm.hpp>
-#include <nlohmann/json_fwd.hpp>
 
 #include "image.hpp"
 
@@ -13,7 +12,7 @@ namespace hvl_render {
 
 enum class Method { hvl, path };
 enum class RadiusRule { neighbours, field_of_view, fixed };  // r1, r2, metres
-enum class HorizonRule { none, smoothstep, exact };
+enum class HorizonRule { smoothstep, exact };
 enum class WindowRule { none, hann, sinc };
 
 /// What --camera and its like replace in a scene.
@@ -38,7 +37,7 @@ struct Options {
   int emission_bands = 3;
   RadiusRule radius = RadiusRule::field_of_view;
   float fixed_radius = 0.0f;  // metres
-  float radius_factor = 1.5f;
+  float radius_factor = 1.0f;
   HorizonRule horizon = HorizonRule::smoothstep;
   WindowRule window = WindowRule::none;
 
@@ -70,7 +69,5 @@ struct CommandLine {
 
 /// Throws InputError with one line about what is wrong.
 CommandLine parse_command_line(int argc, char** argv);
-
-nlohmann::json to_json(const Options& options);
 
 }  // namespace hvl_render

@@ -1,13 +1,13 @@
 #include "output_file.hpp"
 
+#include <cerrno>
 #include <fstream>
-#include <string>
 #include <system_error>
 #include <utility>
 
 #include <unistd.h>
 
-#include "scene.hpp"
+#include "input_error.hpp"
 
 namespace hvl_render {
 namespace {
@@ -17,52 +17,67 @@ namespace fs = std::filesystem;
 /// A name in the same directory, so that renaming needs no copy.
 fs::path temporary_beside(const fs::path& path) {
   fs::path name(".");
-  name += path.stem();
+  name += path.filename();
   name += ".tmp" + std::to_string(getpid());
-  name += path.extension();
   return path.parent_path() / name;
 }
 
-/// Removes the file when it goes, unless that has moved away.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(fs::path path) : path_(std::move(path)) {}
-  ~TemporaryFile() {
-    std::error_code ignored;
-    fs::remove(path_, ignored);
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
+/// Where a file really goes: renaming to a symbolic link would replace the link.
+fs::path behind_links(const fs::path& path) {
+  std::error_code error;
+  const fs::path real = fs::canonical(path, error);
+  return error ? path : real;
+}
 
-  const fs::path& path() const { return path_; }
+[[noreturn]] void fail(const fs::path& path, const std::error_code& reason) {
+  throw InputError(path.string() + ": cannot be written (" + reason.message() + ")");
+}
 
- private:
-  fs::path path_;
-};
+/// Empty where all went well.
+std::error_code write_file(const fs::path& path, const std::string& bytes) {
+  errno = 0;
+  std::ofstream file(path, std::ios::binary);
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  file.close();
+  if (file) return {};
+  return errno != 0 ? std::error_code(errno, std::generic_category())
+                    : std::make_error_code(std::errc::io_error);
+}
 
 }  // namespace
 
 void check_writable(const fs::path& path) {
-  std::error_code error;
-  if (fs::is_directory(path, error)) throw InputError(path.string() + ": is a directory");
-  const TemporaryFile probe(temporary_beside(path));
-  if (!std::ofstream(probe.path())) throw InputError(path.string() + ": cannot be written");
+  std::error_code ignored;
+  if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) {
+    throw InputError(path.string() + ": is not a regular file");
+  }
+  OutputBatch().add(path, "");
 }
 
-void write_in_place(const fs::path& path, const std::function<void(const fs::path&)>& write) {
-  const TemporaryFile temporary(temporary_beside(path));
-  try {
-    write(temporary.path());
-    fs::rename(temporary.path(), path);
-  } catch (const std::exception&) {
-    throw InputError(path.string() + ": cannot be written");
+OutputBatch::~OutputBatch() {
+  std::error_code ignored;
+  for (const File& file : files_) fs::remove(file.temporary, ignored);
+}
+
+void OutputBatch::add(const fs::path& path, const std::string& bytes) {
+  const fs::path place = behind_links(path);
+  files_.push_back({temporary_beside(place), place});
+  if (const std::error_code reason = write_file(files_.back().temporary, bytes)) fail(path, reason);
+}
+
+void OutputBatch::move_into_place() {
+  for (const File& file : files_) {
+    std::error_code reason;
+    fs::rename(file.temporary, file.place, reason);
+    if (reason) fail(file.place, reason);
   }
+  files_.clear();
 }
 
 OutputDirectory::OutputDirectory(fs::path path) : path_(std::move(path)) {
-  std::error_code error;
-  made_ = fs::create_directory(path_, error);
-  if (!fs::is_directory(path_, error)) throw InputError(path_.string() + ": cannot be made a directory");
+  std::error_code reason;
+  made_ = fs::create_directory(path_, reason);
+  if (reason) throw InputError(path_.string() + ": cannot be made a directory (" + reason.message() + ")");
 }
 
 OutputDirectory::~OutputDirectory() {

@@ -1,17 +1,33 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
+#include <string>
+#include <vector>
 
 namespace hvl_render {
 
-/// Throws InputError unless a file can be made at `path`; leaves nothing behind.
+/// Throws InputError unless a regular file can be made at `path`; leaves nothing behind.
 void check_writable(const std::filesystem::path& path);
 
-/// write(temporary path) makes the file beside its final place, where it then moves in one step: no
-/// half-written file is ever seen. Throws InputError when that fails.
-void write_in_place(const std::filesystem::path& path,
-                    const std::function<void(const std::filesystem::path&)>& write);
+/// Files that appear whole and together: each is first written beside its place. One that is given up leaves
+/// no trace.
+class OutputBatch {
+ public:
+  OutputBatch() = default;
+  ~OutputBatch();
+  OutputBatch(const OutputBatch&) = delete;
+  OutputBatch& operator=(const OutputBatch&) = delete;
+
+  void add(const std::filesystem::path& path, const std::string& bytes);  // throws InputError
+  void move_into_place();                                                 // throws InputError
+
+ private:
+  struct File {
+    std::filesystem::path temporary;
+    std::filesystem::path place;
+  };
+  std::vector<File> files_;
+};
 
 /// A directory for outputs: made if missing, and taken away again if nothing was put into it.
 class OutputDirectory {

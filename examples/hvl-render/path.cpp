@@ -105,7 +105,8 @@ glm::vec3 PathTracer::indirect_radiance(const Hit& hit, std::size_t sample) cons
   const SpreadPoints spotlight_points(random);
   const glm::vec3 to_camera = towards_camera(scene_, hit);
   glm::vec3 sum(0.0f);
-  for (std::uint32_t path = 0; path < static_cast<std::uint32_t>(paths_per_position_); ++path) {
+  const auto count = static_cast<std::uint32_t>(paths_per_position_);
+  for (std::uint32_t path = 0; path < count && !stop_requested(); ++path) {
     sum +=
         path_by_material(hit, to_camera, random, material_points.choice(path), material_points.point(path));
     sum += path_by_spotlight(hit, to_camera, spotlight_points.point(path));

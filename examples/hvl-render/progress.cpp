@@ -47,10 +47,13 @@ void Progress::draw(const char* label, double share, std::chrono::duration<doubl
   char percent[16];
   std::snprintf(percent, sizeof percent, " %3.0f %%", 100.0 * share);
   std::string text = label + std::string(percent);
-  // The first moments tell nothing about the rest.
-  if (share > 0.01) text += "  " + seconds_left(elapsed.count() * (1.0 - share) / share);
   // A full last column would wrap the line.
   const int columns = terminal_columns() - 1;
+  // The first moments tell nothing about the rest.
+  if (share > 0.01) {
+    const std::string left = "  " + seconds_left(elapsed.count() * (1.0 - share) / share);
+    if (static_cast<int>(text.size() + left.size()) <= columns) text += left;
+  }
   const int bar = std::min(40, columns - static_cast<int>(text.size()) - 3);
   if (bar >= 5) {
     const int filled = static_cast<int>(share * bar);

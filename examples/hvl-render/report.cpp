@@ -4,8 +4,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include <nlohmann/json.hpp>
-
 namespace hvl_render {
 namespace {
 
@@ -121,39 +119,11 @@ std::vector<Row> table_rows(const std::vector<Column>& columns) {
   for (const auto& [name, cell] : lines) {
     Row row{name};
     for (const Column& column : columns) row.push_back(column.*cell);
-    rows.push_back(std::move(row));
+    const bool says_nothing =
+        std::all_of(row.begin() + 1, row.end(), [](const auto& text) { return text == "-"; });
+    if (!says_nothing) rows.push_back(std::move(row));
   }
   return rows;
-}
-
-/// JSON has no infinity: the PSNR of equal images is null.
-nlohmann::json number_or_null(double value) {
-  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
-}
-
-nlohmann::json errors_json(const ImageErrors& errors) {
-  return {{"rmse", number_or_null(errors.rmse)},
-          {"psnr_db", number_or_null(errors.psnr)},
-          {"ssim", number_or_null(errors.ssim)},
-          {"linear_rmse_relative_to_mean", number_or_null(errors.linear_rmse)}};
-}
-
-nlohmann::json counts_json(const Counts& counts) {
-  return {{"triangles", counts.triangles},
-          {"materials", counts.materials},
-          {"map_lights", counts.map_lights},
-          {"virtual_lights", counts.virtual_lights},
-          {"primary_samples", counts.primary_samples},
-          {"primary_hits", counts.primary_hits},
-          {"paths_per_pixel", counts.samples_per_pixel},
-          {"pixels_not_finite", counts.pixels_not_finite}};
-}
-
-nlohmann::json times_json(const StageTimes& times) {
-  nlohmann::json json;
-  for (const auto& [stage, seconds] : times.stages()) json[stage] = seconds;
-  json["total"] = times.total();
-  return json;
 }
 
 }  // namespace
@@ -199,27 +169,11 @@ std::string table(const Report& report) {
   if (report.options.needs_lights() && report.counts.virtual_lights != report.counts.map_lights) {
     text += format("%zu of them carry no light.\n", report.counts.map_lights - report.counts.virtual_lights);
   }
-  return text;
-}
-
-std::string json_text(const Report& report) {
-  nlohmann::json json;
-  json["options"] = to_json(report.options);
-  json["machine"] = {{"cores", report.machine_cores}, {"threads", report.threads}};
-  json["counts"] = counts_json(report.counts);
-  json["seconds"] = times_json(report.times);
-  if (report.options.needs_lights()) {
-    json["material_projection_error"] = report.material_error;
-    json["gather_ns_per_hit_and_light"] = nanoseconds_per_gather(report);
-  }
-  if (report.errors) json["errors"] = errors_json(*report.errors);
   if (report.options.comparing()) {
-    json["difference_map"] = {{"quantity", "display luma, hvl minus reference"},
-                              {"red", "hvl is brighter"},
-                              {"blue", "hvl is darker"},
-                              {"saturates_at", report.difference_full_scale}};
+    text += format("Difference: red where hvl is brighter, blue where darker; full at %.2f of luma.\n",
+                   static_cast<double>(difference_full_scale));
   }
-  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return text;
 }
 
 }  // namespace hvl_render

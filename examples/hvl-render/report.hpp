@@ -70,9 +70,8 @@ struct Report {
   Counts counts;
   int threads = 0;
   int machine_cores = 0;
-  double material_error = 0.0;         // greatest of the projections, of each table's largest coefficient
-  std::optional<ImageErrors> errors;   // where there was something to compare with
-  double difference_full_scale = 0.0;  // display luma at which the difference map saturates
+  double material_error = 0.0;        // greatest of the projections, of each table's largest coefficient
+  std::optional<ImageErrors> errors;  // where there was something to compare with
 };
 
 /// Nanoseconds of wall-clock time, all threads together, per primary hit and virtual light; zero without

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -13,11 +12,6 @@
 #include "spotlight.hpp"
 
 namespace hvl_render {
-
-/// What the user gave cannot be used; `what()` is one line for the terminal.
-struct InputError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 struct Material {
   std::string name;

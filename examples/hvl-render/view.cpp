@@ -1,5 +1,7 @@
 #include "view.hpp"
 
+#include "input_error.hpp"
+
 namespace hvl_render {
 namespace {
 

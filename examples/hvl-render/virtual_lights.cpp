@@ -7,6 +7,8 @@
 #include <zonal/gather/radius.hpp>
 #include <zonal/transform/window.hpp>
 
+#include "interrupt.hpp"
+
 namespace hvl_render {
 namespace {
 
@@ -85,6 +87,7 @@ MaterialTables project_materials(const std::vector<Material>& materials, const O
   const zonal::Window window = window_of(options.window);
   MaterialTables tables;
   for (const Material& material : materials) {
+    throw_if_interrupted();
     const zonal::MaterialTable table = zonal::project_material(material.brdf, bands, 1e-4, for_each);
     tables.receiving.push_back(table.windowed(window, options.bands));
     tables.emitting.push_back(table.windowed(window, options.emission_bands));

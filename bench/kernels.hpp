@@ -1,0 +1,150 @@
+// What is measured and counted: the one list, for times and for operation counts.
+//
+// A kernel is a struct with
+//   name, bands    constants
+//   Domain         what it takes: `inputs` numbers, such as draw(random) gives as an array of double
+//   run(numbers)   what it makes of an array of them, for any scalar: anything with begin and end
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <random>
+
+#include <zonal/basis/evaluate.hpp>
+#include <zonal/basis/polynomial.hpp>
+#include <zonal/lobe/cap.hpp>
+#include <zonal/lobe/cap_closed_form.hpp>
+#include <zonal/lobe/cap_reference.hpp>
+#include <zonal/scalar/unroll.hpp>
+#include <zonal/transform/orient.hpp>
+
+namespace zonal_bench {
+
+using Random = std::mt19937;
+
+/// A unit vector, as likely any as another.
+inline std::array<double, 3> random_direction(Random& random) {
+  std::normal_distribution<double> normal;
+  const double x = normal(random), y = normal(random), z = normal(random);
+  const double length = std::sqrt(x * x + y * y + z * z);
+  return {x / length, y / length, z / length};
+}
+
+struct Directions {
+  using Domain = Directions;
+  static constexpr std::size_t inputs = 3;
+  static auto draw(Random& random) { return random_direction(random); }
+};
+
+template <int N>
+struct Evaluate : Directions {
+  static constexpr const char* name = "evaluate";
+  static constexpr int bands = N;
+  template <class T>
+  static auto run(const std::array<T, 3>& direction) {
+    return zonal::evaluate<N>(direction);
+  }
+};
+
+template <int N>
+struct Polynomial : Directions {
+  static constexpr const char* name = "polynomial";
+  static constexpr int bands = N;
+  template <class T>
+  static auto run(const std::array<T, 3>& direction) {
+    return zonal::reference::evaluate_polynomial<N>(direction);
+  }
+};
+
+// Cosine and sine of half angles from 0 to 90 degrees: what a sphere covers, seen from outside.
+struct Caps {
+  using Domain = Caps;
+  static constexpr std::size_t inputs = 2;
+  static std::array<double, 2> draw(Random& random) {
+    const double angle = std::uniform_real_distribution<double>(0, double(zonal::kPi) / 2)(random);
+    return {std::cos(angle), std::sin(angle)};
+  }
+};
+
+template <int N>
+struct StableCap : Caps {
+  static constexpr const char* name = "cap-stable";
+  static constexpr int bands = N;
+  template <class T>
+  static auto run(const std::array<T, 2>& cap) {
+    return zonal::project<N>(zonal::SphericalCap<T>{cap[0], cap[1]});
+  }
+};
+
+template <int N>
+struct LegendreCap : Caps {
+  static constexpr const char* name = "cap-legendre";
+  static constexpr int bands = N;
+  template <class T>
+  static auto run(const std::array<T, 2>& cap) {
+    return zonal::reference::project_cap_legendre<N>(cap[0]);
+  }
+};
+
+template <int N>
+struct ClosedFormCap : Caps {
+  static constexpr const char* name = "cap-closed";
+  static constexpr int bands = N;
+  template <class T>
+  static auto run(const std::array<T, 2>& cap) {
+    return zonal::reference::project_cap_closed_form<N>(cap[0]);
+  }
+};
+
+// An axis, then ten zonal coefficients.
+struct Lobes {
+  using Domain = Lobes;
+  static constexpr std::size_t inputs = 3 + 10;
+  static auto draw(Random& random) {
+    std::array<double, inputs> numbers;
+    const auto axis = random_direction(random);
+    std::copy(axis.begin(), axis.end(), numbers.begin());
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    std::generate(numbers.begin() + 3, numbers.end(), [&] { return uniform(random); });
+    return numbers;
+  }
+};
+
+template <int N>
+struct Orient : Lobes {
+  static constexpr const char* name = "orient";
+  static constexpr int bands = N;
+  template <class T>
+  static auto run(const std::array<T, inputs>& numbers) {
+    zonal::Zh<N, T> zh{};
+    std::copy_n(numbers.begin() + 3, N, zh.begin());
+    return zonal::orient(zh, numbers);
+  }
+};
+
+/// visit(Kernel<1>{}), ..., visit(Kernel<10>{}): the rows of the table, and as far as the polynomials go.
+template <template <int> class Kernel, class Visit>
+void for_ten_bands(Visit&& visit) {
+  zonal::unroll<1, 11>([&](auto n) { visit(Kernel<n>{}); });
+}
+
+template <class Visit>
+void for_evaluate_kernels(Visit&& visit) {
+  for_ten_bands<Evaluate>(visit);
+  visit(Evaluate<16>{});
+  for_ten_bands<Polynomial>(visit);
+}
+template <class Visit>
+void for_cap_kernels(Visit&& visit) {
+  for_ten_bands<StableCap>(visit);
+  for_ten_bands<LegendreCap>(visit);
+  for_ten_bands<ClosedFormCap>(visit);
+}
+template <class Visit>
+void for_orient_kernels(Visit&& visit) {
+  for_ten_bands<Orient>(visit);
+}
+
+}  // namespace zonal_bench

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "image.hpp"
+#include "options.hpp"
+#include "output_file.hpp"
+#include "report.hpp"
+
+namespace hvl_render {
+
+/// Linear radiance; an image that no one asked for is empty.
+struct Pictures {
+  Image hvl;
+  Image path;
+};
+
+/// Where the pictures and the report go.
+class Outputs {
+ public:
+  explicit Outputs(const Options& options);  // throws InputError unless all can be written
+
+  /// All or nothing.
+  void write(const Pictures& pictures, const Report& report) const;
+
+ private:
+  std::vector<std::filesystem::path> all() const;
+
+  // Empty where there is none.
+  std::filesystem::path picture_;
+  std::filesystem::path report_;
+  std::vector<std::filesystem::path> hvl_, reference_;  // one for each format
+  std::filesystem::path difference_;
+  std::optional<OutputDirectory> directory_;
+};
+
+}  // namespace hvl_render

@@ -1,0 +1,154 @@
+// Coefficients anywhere in a grid, from the vertices of the cell around: trilinear, first-order Taylor and Hermite.
+//
+// A lookup finds the cell, computes the weights of its 8 corners (interpolation_weights.hpp, where the three are
+// compared), and adds up the corners' blocks: one sum over 8 or 32 terms for all coefficients and colours, in packets.
+//
+// Outside the box the interpolant is that of the nearest point of the box, constant along the face's normal: there the
+// gradient's component across the face is 0. On the face itself it is the inside's. On a face between cells, where a
+// component may jump, it is that of the cell above. A coordinate that is not a number makes all results NaN; one that is
+// infinite lies outside.
+//
+// In float the weights are exact to a few ulp; the position within a cell, as any difference to `low`, to an ulp of the
+// number of cells that lie below it.
+#pragma once
+
+#include <cstddef>
+
+#include <glm/vec3.hpp>
+
+#include "../scalar/packet.hpp"
+#include "coefficient_grid.hpp"
+#include "interpolation_weights.hpp"
+
+namespace zonal {
+
+namespace detail {
+
+// Where a coordinate lies on an axis: in which cell, at which t in it, and dt/dx.
+struct CellCoordinate {
+  int cell;
+  float t, rate;
+};
+inline CellCoordinate locate(float x, float low, float high, int vertices) {
+  const float last = static_cast<float>(vertices - 1), rate = last / (high - low);
+  const float inside = clamp((x - low) * rate, 0.0F, last);                 // NaN stays
+  const int cell = static_cast<int>(min(max(0.0F, inside), last - 1.0F));  // NaN is 0: the order of operands matters
+  return {cell, inside - static_cast<float>(cell), x < low || high < x ? 0.0F : rate};
+}
+
+// A cell of the grid, and the position in it.
+template <int N>
+struct CellLookup {
+  const float* corners[8];
+  float size[3], t[3], rate[3];
+
+  CellLookup(const CoefficientGrid<N>& grid, const glm::vec3& position) {
+    const glm::vec3 spacing = grid.spacing();
+    glm::ivec3 cell;
+    for (int axis = 0; axis < 3; ++axis) {
+      const CellCoordinate place =
+          locate(position[axis], grid.low()[axis], grid.high()[axis], grid.resolution()[axis]);
+      cell[axis] = place.cell;
+      size[axis] = spacing[axis];
+      t[axis] = place.t;
+      rate[axis] = place.rate;
+    }
+    const auto first = grid.vertex_index(cell), above = static_cast<std::size_t>(grid.resolution().x);
+    const auto behind = above * static_cast<std::size_t>(grid.resolution().y);
+    for (std::size_t c = 0; c < 8; ++c) {
+      const std::size_t vertex = first + (c & 1) + (c >> 1 & 1) * above + (c >> 2) * behind;
+      corners[c] = grid.data() + vertex * CoefficientGrid<N>::vertex_size;
+    }
+  }
+};
+
+// The lanes in which `count` consecutive floats are best summed: the last packet overlaps the one before.
+constexpr int lanes_for(int count) {
+  int lanes = kNativeLanes;
+  while (lanes > count) lanes /= 2;
+  return lanes < 4 ? 1 : lanes;
+}
+template <int Lanes>
+struct FloatsOf {
+  using Type = Packet<float, Lanes>;
+  ZONAL_INLINE static Type load(const float* source) { return Type::load(source); }
+  ZONAL_INLINE static void store(const Type& x, float* target) { x.store(target); }
+};
+template <>
+struct FloatsOf<1> {
+  using Type = float;
+  static float load(const float* source) { return *source; }
+  static void store(float x, float* target) { *target = x; }
+};
+
+// sums[o] = sum over corners and blocks of weights[o] times the corner's block of Count floats.
+template <Interpolation method, int Count, int Outputs>
+ZONAL_INLINE inline void weighted_sums(const float* const (&corners)[8],
+                                       const CellWeights<method, float> (&weights)[std::size_t{Outputs}],
+                                       float (&sums)[std::size_t{Outputs}][std::size_t{Count}]) {
+  constexpr int lanes = lanes_for(Count), packets = (Count + lanes - 1) / lanes;
+  constexpr int together = Outputs == 1 ? 6 : 2;  // packets, so that all sums stay in registers
+  using Floats = FloatsOf<lanes>;
+  using P = typename Floats::Type;
+  unroll<0, (packets + together - 1) / together>([&](auto group) ZONAL_INLINE {
+    constexpr int first = group * together, size = packets - first < together ? packets - first : together;
+    constexpr auto begin = [](int i) { return (first + i) * lanes < Count - lanes ? (first + i) * lanes : Count - lanes; };
+    P partial[static_cast<std::size_t>(Outputs)][static_cast<std::size_t>(size)];
+    for (auto& output : partial) {
+      for (P& p : output) p = P(0);
+    }
+    for (int c = 0; c < 8; ++c) {
+      unroll<0, blocks_read(method)>([&](auto block) ZONAL_INLINE {
+        unroll<0, size>([&](auto i) ZONAL_INLINE {
+          const P data = Floats::load(corners[c] + block * Count + begin(i));
+          for (int o = 0; o < Outputs; ++o) add_product(partial[o][i], P(weights[o].corner[c][block]), data);
+        });
+      });
+    }
+    for (int o = 0; o < Outputs; ++o) {
+      for (int i = 0; i < size; ++i) Floats::store(partial[o][i], sums[o] + begin(i));
+    }
+  });
+}
+
+template <int N>
+ZONAL_INLINE inline Sh<N, glm::vec3> as_sh(const float (&values)[std::size_t{3 * N * N}]) {
+  Sh<N, glm::vec3> sh;
+  for (int i = 0; i < N * N; ++i) sh[i] = {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
+  return sh;
+}
+
+}  // namespace detail
+
+/// The coefficients at a position, interpolated.
+template <Interpolation method, int N>
+Sh<N, glm::vec3> interpolate(const CoefficientGrid<N>& grid, const glm::vec3& position) {
+  const detail::CellLookup<N> at(grid, position);
+  const CellWeights<method, float> weights[1] = {cell_weights<method>(
+      axis_weights<method>(at.t[0], at.size[0]), axis_weights<method>(at.t[1], at.size[1]),
+      axis_weights<method>(at.t[2], at.size[2]))};
+  float sums[1][static_cast<std::size_t>(3 * N * N)];
+  detail::weighted_sums<method, 3 * N * N, 1>(at.corners, weights, sums);
+  return detail::as_sh<N>(sums[0]);
+}
+
+/// The same, and the interpolant's own gradient, exactly: d/dx, d/dy and d/dz of the interpolated coefficients, per unit
+/// of length. (Not the interpolated gradient: the two agree at the vertices only, and for trilinear not even there.)
+template <Interpolation method, int N>
+ShGradient<N, glm::vec3> interpolate_with_gradient(const CoefficientGrid<N>& grid, const glm::vec3& position) {
+  const detail::CellLookup<N> at(grid, position);
+  AxisWeights<float> axis[3], slope[3];
+  for (int a = 0; a < 3; ++a) {
+    axis[a] = axis_weights<method>(at.t[a], at.size[a]);
+    slope[a] = axis_weight_derivatives<method>(at.t[a], at.size[a], at.rate[a]);
+  }
+  const CellWeights<method, float> weights[4] = {
+      cell_weights<method>(axis[0], axis[1], axis[2]), cell_weights<method>(slope[0], axis[1], axis[2]),
+      cell_weights<method>(axis[0], slope[1], axis[2]), cell_weights<method>(axis[0], axis[1], slope[2])};
+  float sums[4][static_cast<std::size_t>(3 * N * N)];
+  detail::weighted_sums<method, 3 * N * N, 4>(at.corners, weights, sums);
+  return {detail::as_sh<N>(sums[0]),
+          {detail::as_sh<N>(sums[1]), detail::as_sh<N>(sums[2]), detail::as_sh<N>(sums[3])}};
+}
+
+}  // namespace zonal

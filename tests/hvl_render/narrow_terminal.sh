@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# In a terminal of 20 columns, progress must be shown and must not wrap: narrow_terminal.sh <hvl-render> <folder>
+set -eu
+command -v script >/dev/null || { echo "skipped: no program 'script' to make a terminal"; exit 0; }
+program="$1" folder="$2"
+rm -rf "$folder"
+mkdir -p "$folder"
+cd "$folder"
+script -qec "stty cols 20; '$program' --method path --spp 64 --size 160x128" typescript >/dev/null </dev/null
+# What is drawn between two returns to the first column, without the codes that clear the rest of the line.
+drawn="$(tr '\r' '\n' <typescript | sed 's/\x1b\[K//g' | grep '%')"
+echo "$drawn"
+[ "$(echo "$drawn" | wc -l)" -ge 2 ]
+[ "$(echo "$drawn" | awk '{ print length }' | sort -n | tail -1)" -lt 20 ]
+rm -rf "$folder"

@@ -1,0 +1,116 @@
+// A grid filled in packets, four lights at a time, against each light at each vertex by itself, in double.
+#include <zonal/grid/add_lights.hpp>
+#include <zonal/light/point.hpp>
+#include <zonal/light/triangle.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "../catch.hpp"
+
+namespace {
+
+constexpr int N = 6;
+
+const auto serially = [](int count, const auto& body) {
+  for (int i = 0; i < count; ++i) body(i);
+};
+
+template <class T>
+glm::vec<3, T> random_point(std::mt19937& random, T low, T high) {
+  std::uniform_real_distribution<T> uniform(low, high);
+  const T x = uniform(random), y = uniform(random), z = uniform(random);
+  return {x, y, z};
+}
+
+template <class Light, class Widen>
+void check(const std::vector<zonal::ColouredLight<Light>>& lights, const glm::ivec3& resolution, Widen widen,
+           double tolerance) {
+  zonal::CoefficientGrid<N> grid({-1, -1, -1}, {1, 2, 0.5F}, resolution);
+  zonal::add_lights(grid, lights, serially);
+  for (int k = 0; k < resolution.z; ++k) {
+    for (int j = 0; j < resolution.y; ++j) {
+      for (int i = 0; i < resolution.x; ++i) {
+        const glm::ivec3 vertex(i, j, k);
+        const auto got = grid.value_with_gradient(vertex);
+        for (int c = 0; c < 3; ++c) {
+          zonal::ShGradient<N, double> expected{};
+          for (const auto& light : lights) {
+            const auto one = zonal::project_with_gradient<N>(widen(light.light), glm::dvec3(grid.position(vertex)));
+            const auto colour = static_cast<double>(light.colour[c]);
+            expected.value += one.value * colour;
+            for (int a = 0; a < 3; ++a) expected.gradient[a] += one.gradient[a] * colour;
+          }
+          double unit = 1e-30, slope = 1e-30;
+          for (int n = 0; n < N * N; ++n) {
+            unit = std::max(unit, std::abs(expected.value[n]));
+            for (const auto& gradient : expected.gradient) slope = std::max(slope, std::abs(gradient[n]));
+          }
+          for (int n = 0; n < N * N; ++n) {
+            CAPTURE(lights.size(), i, j, k, c, n);
+            REQUIRE(std::abs(static_cast<double>(got.value[n][c]) - expected.value[n]) <= tolerance * unit);
+            for (int a = 0; a < 3; ++a) {
+              REQUIRE(std::abs(static_cast<double>(got.gradient[a][n][c]) - expected.gradient[a][n]) <= tolerance * slope);
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+template <class MakeLight>
+auto random_lights(std::size_t count, unsigned seed, MakeLight make) {
+  std::mt19937 random(seed);
+  std::vector<zonal::ColouredLight<decltype(make(random))>> lights;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto light = make(random);
+    lights.push_back({light, random_point(random, 0.0F, 2.0F)});
+  }
+  return lights;
+}
+
+}  // namespace
+
+TEST_CASE("grid from sphere lights: any number of lights, any resolution") {
+  const auto sphere = [](std::mt19937& random) {
+    return zonal::SphereLight<float>{random_point(random, -0.5F, 0.5F) + glm::vec3(0, 0, 2), 0.2F};
+  };
+  const auto widen = [](const zonal::SphereLight<float>& light) {
+    return zonal::SphereLight<double>{glm::dvec3(light.center), static_cast<double>(light.radius)};
+  };
+  for (const std::size_t count : {0U, 1U, 3U, 4U, 5U, 17U}) {
+    check(random_lights(count, 61, sphere), {2, 3, 4}, widen, 3e-6);
+  }
+  check(random_lights(7, 62, sphere), {5, 2, 7}, widen, 3e-6);
+}
+
+TEST_CASE("grid from other lights: points, spots, triangles as spheres") {
+  check(random_lights(5, 63, [](std::mt19937& random) {
+          return zonal::PointLight<float>{random_point(random, -0.5F, 0.5F) + glm::vec3(0, 0, 2)};
+        }),
+        {3, 3, 3}, [](const zonal::PointLight<float>& light) { return zonal::PointLight<double>{glm::dvec3(light.center)}; },
+        3e-6);
+  check(random_lights(5, 64, [](std::mt19937& random) {
+          const glm::vec3 corner = random_point(random, -0.5F, 0.5F) + glm::vec3(0, 0, 2);
+          return zonal::TriangleSphereLight<float>::approximate(
+              {{corner, corner + glm::vec3(0.2F, 0, 0.05F), corner + glm::vec3(0, 0.3F, 0)}});
+        }),
+        {3, 3, 3},
+        [](const zonal::TriangleSphereLight<float>& light) {
+          return zonal::TriangleSphereLight<double>{glm::dvec3(light.center), glm::dvec3(light.normal),
+                                                    static_cast<double>(light.radius)};
+        },
+        3e-6);
+}
+
+TEST_CASE("grid: lights add up, and a grid is no larger than its data") {
+  zonal::CoefficientGrid<N> grid({0, 0, 0}, {1, 1, 1}, {2, 2, 2});
+  const std::vector<zonal::ColouredLight<zonal::SphereLight<float>>> lights{{{{0, 0, 3}, 0.5F}, {1, 2, 3}}};
+  zonal::add_lights(grid, lights, serially);
+  const auto once = grid.value({1, 0, 1});
+  zonal::add_lights(grid, lights, serially);
+  for (int i = 0; i < N * N; ++i) CHECK(grid.value({1, 0, 1})[i] == once[i] * 2.0F);
+  CHECK(grid.size() == 8 * 4 * 3 * N * N);
+}

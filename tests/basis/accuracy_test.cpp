@@ -23,10 +23,10 @@ struct Worst {
   }
 };
 
-#define CHECK_WORST(worst, bound)                                                        \
-  do {                                                                                   \
+#define CHECK_WORST(worst, bound)                                                          \
+  do {                                                                                     \
     CAPTURE(worst.l, worst.m, worst.direction[0], worst.direction[1], worst.direction[2]); \
-    CHECK(worst.error <= bound);                                                         \
+    CHECK(worst.error <= bound);                                                           \
   } while (false)
 
 template <class T>
@@ -41,8 +41,8 @@ Worst against_table() {
   for (const std::vector<double>& row : read_csv("basis.csv")) {
     const int l = static_cast<int>(row[3]), m = static_cast<int>(row[4]);
     if (l >= N) continue;
-    const auto y = zonal::evaluate<N>(
-        Vector3<T>{static_cast<T>(row[0]), static_cast<T>(row[1]), static_cast<T>(row[2])});
+    const auto y =
+        zonal::evaluate<N>(Vector3<T>{static_cast<T>(row[0]), static_cast<T>(row[1]), static_cast<T>(row[2])});
     worst.meet(static_cast<double>(y(l, m)) - row[5], l, m, {row[0], row[1], row[2]});
   }
   return worst;

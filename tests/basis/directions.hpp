@@ -16,8 +16,8 @@ Vector3<T> normalized(T x, T y, T z) {
   return {x / length, y / length, z / length};
 }
 
-/// Unit vectors in T, from a fixed seed: half of them uniform over the sphere, half at 1e-1 to 1e-7 from a pole; and the
-/// six axes.
+/// Unit vectors in T, from a fixed seed: half of them uniform over the sphere, half at 1e-1 to 1e-7 from a pole; and
+/// the six axes.
 template <class T>
 std::vector<Vector3<T>> directions_and_poles(int count, unsigned seed) {
   std::mt19937 random(seed);

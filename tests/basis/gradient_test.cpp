@@ -63,8 +63,8 @@ TEST_CASE("gradient: is as accurate as promised in float, near the poles too") {
     for (int l = 1; l < 10; ++l) {
       for (int m = -l; m <= l; ++m) {
         for (std::size_t k = 0; k < 3; ++k) {
-          const double error = static_cast<double>(
-              std::abs(static_cast<long double>(y.gradient[k](l, m)) - exact.gradient[k](l, m)));
+          const double error =
+              static_cast<double>(std::abs(static_cast<long double>(y.gradient[k](l, m)) - exact.gradient[k](l, m)));
           CAPTURE(v[0], v[1], v[2], l, m, k);
           REQUIRE(error <= accuracy_bound("evaluate_with_gradient", "float", 10) * steepest_of_degree(l));
           worst = std::max(worst, error / steepest_of_degree(l));
@@ -144,8 +144,8 @@ TEST_CASE("gradient: the papers' methods by angles agree with it away from the p
   for (const auto& v : directions_and_poles<double>(400, 35)) {
     if (std::hypot(v[0], v[1]) < 0.05) continue;  // they divide by the square of it
     const auto expected = zonal::evaluate_with_gradient<N>(v);
-    for (const auto& angular : {zonal::reference::angular_gradient_sloan_like<N>(v),
-                                zonal::reference::angular_gradient_direct<N>(v)}) {
+    for (const auto& angular :
+         {zonal::reference::angular_gradient_sloan_like<N>(v), zonal::reference::angular_gradient_direct<N>(v)}) {
       const auto y = zonal::reference::to_cartesian(angular, v);
       for (int i = 0; i < N * N; ++i) {
         CAPTURE(v[0], v[1], v[2], i);

@@ -238,9 +238,9 @@ TEST_CASE("gather: tiny, huge, near and far lights give finite light") {
     for (const float distance : {1e-12F, 1e-6F, 1.0F, 1e6F, 1e12F}) {
       VirtualLight light = facing_light(glm::vec3(0, 0.6F, 0.8F) * distance, radius, 3);
       light.material = &materials().plastic;
-      for (const glm::vec3& radiance : {gather_one<3>(light, receiver_on_the_floor()),
-                                        zonal::gather<5, 3, Horizon::exact>(zonal::HvlCache<3>({light}),
-                                                                            receiver_on_the_floor())}) {
+      for (const glm::vec3& radiance :
+           {gather_one<3>(light, receiver_on_the_floor()),
+            zonal::gather<5, 3, Horizon::exact>(zonal::HvlCache<3>({light}), receiver_on_the_floor())}) {
         CAPTURE(radius, distance, radiance.x);
         CHECK((std::isfinite(radiance.x) && std::isfinite(radiance.y) && std::isfinite(radiance.z)));
       }

@@ -51,7 +51,8 @@ void check(const std::vector<zonal::ColouredLight<Light>>& lights, const glm::iv
             CAPTURE(lights.size(), i, j, k, c, n);
             REQUIRE(std::abs(static_cast<double>(got.value[n][c]) - expected.value[n]) <= tolerance * unit);
             for (int a = 0; a < 3; ++a) {
-              REQUIRE(std::abs(static_cast<double>(got.gradient[a][n][c]) - expected.gradient[a][n]) <= tolerance * slope);
+              REQUIRE(std::abs(static_cast<double>(got.gradient[a][n][c]) - expected.gradient[a][n]) <=
+                      tolerance * slope);
             }
           }
         }
@@ -87,22 +88,26 @@ TEST_CASE("grid from sphere lights: any number of lights, any resolution") {
 }
 
 TEST_CASE("grid from other lights: points, spots, triangles as spheres") {
-  check(random_lights(5, 63, [](std::mt19937& random) {
-          return zonal::PointLight<float>{random_point(random, -0.5F, 0.5F) + glm::vec3(0, 0, 2)};
-        }),
-        {3, 3, 3}, [](const zonal::PointLight<float>& light) { return zonal::PointLight<double>{glm::dvec3(light.center)}; },
-        3e-6);
-  check(random_lights(5, 64, [](std::mt19937& random) {
-          const glm::vec3 corner = random_point(random, -0.5F, 0.5F) + glm::vec3(0, 0, 2);
-          return zonal::TriangleSphereLight<float>::approximate(
-              {{corner, corner + glm::vec3(0.2F, 0, 0.05F), corner + glm::vec3(0, 0.3F, 0)}});
-        }),
-        {3, 3, 3},
-        [](const zonal::TriangleSphereLight<float>& light) {
-          return zonal::TriangleSphereLight<double>{glm::dvec3(light.center), glm::dvec3(light.normal),
-                                                    static_cast<double>(light.radius)};
-        },
-        3e-6);
+  check(
+      random_lights(5, 63,
+                    [](std::mt19937& random) {
+                      return zonal::PointLight<float>{random_point(random, -0.5F, 0.5F) + glm::vec3(0, 0, 2)};
+                    }),
+      {3, 3, 3},
+      [](const zonal::PointLight<float>& light) { return zonal::PointLight<double>{glm::dvec3(light.center)}; }, 3e-6);
+  check(
+      random_lights(5, 64,
+                    [](std::mt19937& random) {
+                      const glm::vec3 corner = random_point(random, -0.5F, 0.5F) + glm::vec3(0, 0, 2);
+                      return zonal::TriangleSphereLight<float>::approximate(
+                          {{corner, corner + glm::vec3(0.2F, 0, 0.05F), corner + glm::vec3(0, 0.3F, 0)}});
+                    }),
+      {3, 3, 3},
+      [](const zonal::TriangleSphereLight<float>& light) {
+        return zonal::TriangleSphereLight<double>{glm::dvec3(light.center), glm::dvec3(light.normal),
+                                                  static_cast<double>(light.radius)};
+      },
+      3e-6);
 }
 
 TEST_CASE("grid: lights add up, and a grid is no larger than its data") {

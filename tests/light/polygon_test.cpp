@@ -113,7 +113,8 @@ TEST_CASE("polygon: in float, 2e-6 over the angular size") {
     const auto narrow_light = cast<4, float>(light);
     const auto narrow = zonal::project_with_gradient<N>(narrow_light, glm::vec3(x), 1e-7);
     const auto wide = zonal::project_with_gradient<N>(cast<4, double>(narrow_light), glm::dvec3(glm::vec3(x)), 1e-9);
-    const double bound = 4e-6 / size, unit = largest(wide.gradient[0]) + largest(wide.gradient[1]) + largest(wide.gradient[2]);
+    const double bound = 4e-6 / size,
+                 unit = largest(wide.gradient[0]) + largest(wide.gradient[1]) + largest(wide.gradient[2]);
     for (int i = 0; i < N * N; ++i) {
       CAPTURE(trial, size, i);
       REQUIRE(std::abs(static_cast<double>(narrow.value[i]) - wide.value[i]) <= bound * largest(wide.value));
@@ -127,9 +128,11 @@ TEST_CASE("polygon: in float, 2e-6 over the angular size") {
 TEST_CASE("polygon: a quadrilateral is its two triangles, from any side and either way around") {
   const zonal::PolygonLight<4, double> square{{{-1, -1, 2}, {1, -1, 2}, {1, 1, 2}, {-1, 1, 2}}};
   const zonal::PolygonLight<4, double> turned{{{-1, 1, 2}, {1, 1, 2}, {1, -1, 2}, {-1, -1, 2}}};
-  const zonal::TriangleLight<double> one{{{-1, -1, 2}, {1, -1, 2}, {1, 1, 2}}}, two{{{-1, -1, 2}, {1, 1, 2}, {-1, 1, 2}}};
+  const zonal::TriangleLight<double> one{{{-1, -1, 2}, {1, -1, 2}, {1, 1, 2}}},
+      two{{{-1, -1, 2}, {1, 1, 2}, {-1, 1, 2}}};
   for (const glm::dvec3& x : {glm::dvec3(0.3, 0.2, 0), glm::dvec3(0.1, 3, 5), glm::dvec3(-4, 0, 1.9)}) {
-    const auto whole = zonal::project_with_gradient<N>(square, x, 1e-10), back = zonal::project_with_gradient<N>(turned, x, 1e-10);
+    const auto whole = zonal::project_with_gradient<N>(square, x, 1e-10),
+               back = zonal::project_with_gradient<N>(turned, x, 1e-10);
     const auto a = zonal::project_with_gradient<N>(one, x, 1e-10), b = zonal::project_with_gradient<N>(two, x, 1e-10);
     for (int i = 0; i < N * N; ++i) {
       CAPTURE(x.x, x.y, x.z, i);
@@ -173,8 +176,8 @@ TEST_CASE("polygon: in its plane zero; on the surface a hemisphere; on an edge a
   const auto near = zonal::project<N>(light, glm::vec3(0.3F, 0.3F, 1 - 1e-4F));
   for (int l = 0; l < N; ++l) CHECK(std::abs(near(l, 0) - hemisphere[l]) <= 5e-3F);
 
-  for (const glm::vec3& x : {glm::vec3(0, 0, 1), glm::vec3(0.5F, 0, 1), glm::vec3(0.25F, 0.75F, 1), glm::vec3(0.3F, 0.3F, 1),
-                             glm::vec3(-1, 0, 1), glm::vec3(0.5F, 1e-20F, 1)}) {
+  for (const glm::vec3& x : {glm::vec3(0, 0, 1), glm::vec3(0.5F, 0, 1), glm::vec3(0.25F, 0.75F, 1),
+                             glm::vec3(0.3F, 0.3F, 1), glm::vec3(-1, 0, 1), glm::vec3(0.5F, 1e-20F, 1)}) {
     const auto sh = zonal::project_with_gradient<N>(light, x);
     CAPTURE(x.x, x.y, x.z);
     for (int i = 0; i < N * N; ++i) {

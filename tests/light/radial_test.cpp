@@ -42,8 +42,7 @@ std::pair<double, double> error_against_table() {
     worst.first = std::max(worst.first, std::abs(static_cast<double>(sh.value(l, m)) - row[9]) / unit.first);
     for (int k = 0; k < 3; ++k) {
       const double exact = row[static_cast<std::size_t>(10 + k)];
-      worst.second =
-          std::max(worst.second, std::abs(static_cast<double>(sh.gradient[k](l, m)) - exact) / unit.second);
+      worst.second = std::max(worst.second, std::abs(static_cast<double>(sh.gradient[k](l, m)) - exact) / unit.second);
     }
   }
   return worst;
@@ -51,7 +50,8 @@ std::pair<double, double> error_against_table() {
 
 /// Value and gradient in T against dual numbers, at receivers of a fixed seed and those given.
 template <class MakeLight>
-void check_against_dual(const char* name, MakeLight make, std::vector<Vec<double>> receivers, double tolerance = 1e-12) {
+void check_against_dual(const char* name, MakeLight make, std::vector<Vec<double>> receivers,
+                        double tolerance = 1e-12) {
   std::mt19937 random(41);
   std::uniform_real_distribution<double> uniform(-2, 2);
   for (int i = 0; i < 100; ++i) receivers.push_back({uniform(random), uniform(random), uniform(random)});
@@ -112,17 +112,31 @@ TEST_CASE("sphere light: meets the reference table") {
 }
 
 TEST_CASE("lights: value and gradient are those of dual numbers, in line with the axes too") {
-  check_against_dual("sphere", [](auto t) {
-    return zonal::SphereLight<decltype(t)>{{0, 0, 0}, 0.3};
-  }, above_and_beside, 1e-11);
-  check_against_dual("soft sphere", [](auto t) {
-    using T = decltype(t);
-    return zonal::SoftSphereLight<N, T>{{0, 0, 0}, 0.3, zonal::project<N>(zonal::SphericalGaussian<T>{20})};
-  }, above_and_beside, 1e-11);
-  check_against_dual("point", [](auto t) { return zonal::PointLight<decltype(t)>{{0, 0, 0}}; }, above_and_beside);
-  check_against_dual("spot", [](auto t) {
-    return zonal::SpotLight<decltype(t)>{{0, 0, 0}, {0.6, 0, 0.8}, 0.9, -0.5};
-  }, above_and_beside);
+  check_against_dual(
+      "sphere",
+      [](auto t) {
+        return zonal::SphereLight<decltype(t)>{{0, 0, 0}, 0.3};
+      },
+      above_and_beside, 1e-11);
+  check_against_dual(
+      "soft sphere",
+      [](auto t) {
+        using T = decltype(t);
+        return zonal::SoftSphereLight<N, T>{{0, 0, 0}, 0.3, zonal::project<N>(zonal::SphericalGaussian<T>{20})};
+      },
+      above_and_beside, 1e-11);
+  check_against_dual(
+      "point",
+      [](auto t) {
+        return zonal::PointLight<decltype(t)>{{0, 0, 0}};
+      },
+      above_and_beside);
+  check_against_dual(
+      "spot",
+      [](auto t) {
+        return zonal::SpotLight<decltype(t)>{{0, 0, 0}, {0.6, 0, 0.8}, 0.9, -0.5};
+      },
+      above_and_beside);
 }
 
 TEST_CASE("lights: the gradient is that of central differences in long double") {

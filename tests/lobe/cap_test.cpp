@@ -78,7 +78,8 @@ TEST_CASE("cap: meets the reference table in double to 51 bands") {
 TEST_CASE("cap: the long double kernel, the reference of the next test, meets the table too") {
   for (const auto& row : read_csv("cap.csv")) {
     const long double sine = static_cast<long double>(row[0]);
-    const zonal::SphericalCap<long double> cap{static_cast<long double>(row[1]) * std::sqrt((1 - sine) * (1 + sine)), sine};
+    const zonal::SphericalCap<long double> cap{static_cast<long double>(row[1]) * std::sqrt((1 - sine) * (1 + sine)),
+                                               sine};
     const int l = static_cast<int>(row[2]);
     const auto zh = zonal::project<51>(cap);
     CAPTURE(row[0], row[1], l);
@@ -100,8 +101,8 @@ TEST_CASE("cap: rounding error at every angle from sin a = 1e-12 to beyond the h
 TEST_CASE("cap: its derivative meets the reference table") {
   for (const auto& row : read_csv("cap.csv")) {
     const double sine = row[0], side = row[1], expected = row[4];
-    const auto zh = zonal::project_derivative<51>(
-        zonal::SphericalCap<double>{side * std::sqrt((1 - sine) * (1 + sine)), sine});
+    const auto zh =
+        zonal::project_derivative<51>(zonal::SphericalCap<double>{side * std::sqrt((1 - sine) * (1 + sine)), sine});
     const int l = static_cast<int>(row[2]);
     CAPTURE(sine, side, l);
     CHECK(std::abs(zh[l] - expected) <= 5e-15 * largest(zh));

@@ -21,7 +21,9 @@ zonal::Zh<bands, T> lobe(const std::string& name, const std::string& parameter) 
 }
 
 std::string_view function_of(const std::string& lobe) {
-  return lobe == "lambert" ? "project(LambertLobe)" : lobe == "phong" ? "project(PhongLobe)" : "project(SphericalGaussian)";
+  return lobe == "lambert" ? "project(LambertLobe)"
+         : lobe == "phong" ? "project(PhongLobe)"
+                           : "project(SphericalGaussian)";
 }
 
 template <class T>

@@ -119,8 +119,8 @@ TEST_CASE("fresnel: conductors at normal and grazing incidence, and between by c
       const double s = std::norm((cosine - index * cos_t) / (cosine + index * cos_t));
       const double p = std::norm((index * cosine - cos_t) / (index * cosine + cos_t));
       CHECK(reflectance(metal, cosine)[c] == Approx(0.5 * (s + p)).epsilon(1e-12));
-      CHECK(std::abs(double(reflectance(metal, float(cosine))[c]) -
-                     reflectance(metal, double(float(cosine)))[c]) < 1e-6);
+      CHECK(std::abs(double(reflectance(metal, float(cosine))[c]) - reflectance(metal, double(float(cosine)))[c]) <
+            1e-6);
     }
   }
 }
@@ -134,14 +134,12 @@ TEST_CASE("fresnel: dielectrics by Snell's law, Brewster's angle and total inter
       double expected = 1.0;
       if (sin_t < 1.0) {
         const double cos_t = std::sqrt(1.0 - sin_t * sin_t);
-        const double s = (cosine - n * cos_t) / (cosine + n * cos_t),
-                     p = (n * cosine - cos_t) / (n * cosine + cos_t);
+        const double s = (cosine - n * cos_t) / (cosine + n * cos_t), p = (n * cosine - cos_t) / (n * cosine + cos_t);
         expected = 0.5 * (s * s + p * p);
       }
       const zonal::DielectricFresnel glass{eta};
       CHECK(reflectance(glass, cosine).x == Approx(expected).margin(1e-13));
-      CHECK(std::abs(double(reflectance(glass, float(cosine)).x) -
-                     reflectance(glass, double(float(cosine))).x) < 1e-6);
+      CHECK(std::abs(double(reflectance(glass, float(cosine)).x) - reflectance(glass, double(float(cosine))).x) < 1e-6);
       // a metal that does not absorb is a dielectric
       CHECK(reflectance(zonal::ConductorFresnel{glm::vec3(eta), glm::vec3(0.0F)}, cosine) ==
             reflectance(glass, cosine));
@@ -162,11 +160,10 @@ TEST_CASE("ggx: D is normalised, and so are the normals visible from anywhere") 
     double projected_area = 0.0;
     for (int i = 0; i < count; ++i) {
       const double psi = (i + 0.5) * 0.5 * pi / count, theta = std::atan(alpha * std::tan(psi));
-      const double dtheta =
-          0.5 * pi / count * std::cos(theta) * std::cos(theta) * alpha / std::pow(std::cos(psi), 2);
+      const double dtheta = 0.5 * pi / count * std::cos(theta) * std::cos(theta) * alpha / std::pow(std::cos(psi), 2);
       const glm::dvec3 h = direction(theta, 0.3);
-      projected_area += zonal::detail::ggx_distribution(zonal::detail::half_vector(h, h), alpha) *
-                        std::cos(theta) * 2.0 * pi * std::sin(theta) * dtheta;
+      projected_area += zonal::detail::ggx_distribution(zonal::detail::half_vector(h, h), alpha) * std::cos(theta) *
+                        2.0 * pi * std::sin(theta) * dtheta;
     }
     CAPTURE(alpha);
     CHECK(projected_area == Approx(1.0).margin(1e-5));
@@ -178,13 +175,12 @@ TEST_CASE("ggx: D is normalised, and so are the normals visible from anywhere") 
       double visible = 0.0;
       for (int i = 0; i < count; ++i) {
         const double psi = (i + 0.5) * 0.5 * pi / count, theta = std::atan(alpha * std::tan(psi));
-        const double dtheta =
-            0.5 * pi / count * std::cos(theta) * std::cos(theta) * alpha / std::pow(std::cos(psi), 2);
+        const double dtheta = 0.5 * pi / count * std::cos(theta) * std::cos(theta) * alpha / std::pow(std::cos(psi), 2);
         for (int j = 0; j < 400; ++j) {
           const glm::dvec3 h = direction(theta, (j + 0.5) * 2.0 * pi / 400);
           visible += g1 * std::max(glm::dot(wo, h), 0.0) *
-                     zonal::detail::ggx_distribution(zonal::detail::half_vector(h, h), alpha) * 2.0 * pi /
-                     400 * std::sin(theta) * dtheta;
+                     zonal::detail::ggx_distribution(zonal::detail::half_vector(h, h), alpha) * 2.0 * pi / 400 *
+                     std::sin(theta) * dtheta;
         }
       }
       CAPTURE(degrees);

@@ -16,9 +16,7 @@ zonal::BrdfProjection<N> project(const zonal::Brdf& brdf, double degrees, double
   return zonal::project_brdf<N>(function, std::cos(degrees * pi / 180.0), tolerance, quadrature);
 }
 
-float cos_degrees(double degrees) {
-  return float(std::cos(degrees * pi / 180.0));
-}
+float cos_degrees(double degrees) { return float(std::cos(degrees * pi / 180.0)); }
 
 struct Difference {
   double with_cosine, without_cosine;  // relative to the largest coefficient
@@ -28,8 +26,7 @@ template <int N>
 Difference difference(const zonal::MaterialTable& table, const zonal::Brdf& brdf, double degrees) {
   const auto exact = project<N>(brdf, degrees);
   const float cosine = cos_degrees(degrees);
-  return {largest_difference(table.with_cosine<N>(cosine), exact.with_cosine) /
-              largest_coefficient(exact.with_cosine),
+  return {largest_difference(table.with_cosine<N>(cosine), exact.with_cosine) / largest_coefficient(exact.with_cosine),
           largest_difference(table.without_cosine<N>(cosine), exact.without_cosine) /
               largest_coefficient(exact.without_cosine)};
 }
@@ -117,8 +114,7 @@ TEST_CASE("table: a window scales each degree") {
   const auto raw = table.with_cosine<6>(0.8F);
   for (const zonal::Window window : {zonal::Window::none, zonal::Window::hann, zonal::Window::sinc}) {
     for (const double width : {6.0, 8.0}) {
-      const zonal::MaterialTable smooth =
-          width == 8.0 ? table.windowed(window) : table.windowed(window, width);
+      const zonal::MaterialTable smooth = width == 8.0 ? table.windowed(window) : table.windowed(window, width);
       CAPTURE(int(window), width);
       CHECK(largest_difference(smooth.with_cosine<6>(0.8F), zonal::apply_window(raw, window, width)) < 1e-6);
       const auto without = zonal::apply_window(table.without_cosine<6>(0.8F), window, width);

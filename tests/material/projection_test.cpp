@@ -46,8 +46,7 @@ struct FullProjection {
 };
 
 template <int N>
-void check_against(const zonal::BrdfProjection<N>& projection, const FullProjection<N>& reference,
-                   double bound) {
+void check_against(const zonal::BrdfProjection<N>& projection, const FullProjection<N>& reference, double bound) {
   const auto check = [&](const auto& even, const auto& full) {
     const double scale = largest_coefficient(full);
     for (int l = 0; l < N; ++l) {
@@ -68,8 +67,7 @@ TEST_CASE("quadrature: Gauss-Legendre rules are exact for polynomials of degree 
     const zonal::QuadratureRule rule = zonal::gauss_legendre(n);
     for (int degree = 0; degree < 2 * n; degree += n < 10 ? 1 : n / 4 + 1) {
       double sum = 0.0;
-      for (std::size_t i = 0; i < rule.nodes.size(); ++i)
-        sum += rule.weights[i] * std::pow(rule.nodes[i], degree);
+      for (std::size_t i = 0; i < rule.nodes.size(); ++i) sum += rule.weights[i] * std::pow(rule.nodes[i], degree);
       CAPTURE(n, degree);
       CHECK(sum == Approx(degree % 2 == 0 ? 2.0 / (degree + 1) : 0.0).margin(1e-14));
     }
@@ -127,8 +125,7 @@ TEST_CASE("projection: a sharp Phong lobe is the zonal lobe oriented to the mirr
         const double mirrored = (l + m) % 2 == 0 ? 2.0 : 0.0;
         const double scale = mirrored * std::sqrt(4.0 * pi / (2 * l + 1)) * 1002.0 / 1001.0;
         CAPTURE(degrees, l, m);
-        CHECK(std::abs(projection.without_cosine(l, m).x - scale * zonal[std::size_t(l)] * basis(l, m)) <
-              1e-5);
+        CHECK(std::abs(projection.without_cosine(l, m).x - scale * zonal[std::size_t(l)] * basis(l, m)) < 1e-5);
       }
     }
   }
@@ -171,8 +168,7 @@ TEST_CASE("projection: no angle misses the peak of a nearly smooth metal") {
       CAPTURE(roughness, degrees, projection.error, projection.theta_nodes);
       CHECK(projection.error <= 1e-4);
       // 300^2 half vectors are good to 2e-3 here, where the horizon cuts the lobe
-      CHECK(largest(albedo - ggx_albedo(brdf, double(roughness), outgoing(degrees))) <
-            (degrees < 80 ? 5e-4 : 3e-3));
+      CHECK(largest(albedo - ggx_albedo(brdf, double(roughness), outgoing(degrees))) < (degrees < 80 ? 5e-4 : 3e-3));
     }
   }
 }
@@ -183,8 +179,8 @@ TEST_CASE("projection: the returned error bounds the true one") {
       const auto exact = project<21>(brdf, degrees, 1e-13);
       for (const double tolerance : {1e-1, 1e-3, 1e-6}) {
         const auto projection = project<21>(brdf, degrees, tolerance);
-        const double with = largest_difference(projection.with_cosine, exact.with_cosine) /
-                            largest_coefficient(exact.with_cosine);
+        const double with =
+            largest_difference(projection.with_cosine, exact.with_cosine) / largest_coefficient(exact.with_cosine);
         const double without = largest_difference(projection.without_cosine, exact.without_cosine) /
                                largest_coefficient(exact.without_cosine);
         CAPTURE(name, degrees, tolerance, projection.theta_nodes, exact.theta_nodes, exact.error);

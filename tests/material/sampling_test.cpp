@@ -14,8 +14,7 @@ constexpr int z_bins = 12, phi_bins = 12, bins = z_bins * phi_bins;
 
 int bin_of(const glm::vec3& d) {
   const double turn = std::atan2(double(d.y), double(d.x)) / (2.0 * pi) + 0.5;
-  const int z = std::min(int(double(d.z) * z_bins), z_bins - 1),
-            phi = std::min(int(turn * phi_bins), phi_bins - 1);
+  const int z = std::min(int(double(d.z) * z_bins), z_bins - 1), phi = std::min(int(turn * phi_bins), phi_bins - 1);
   return z * phi_bins + phi;
 }
 
@@ -35,9 +34,7 @@ std::vector<double> bin_probabilities(const zonal::Brdf& brdf, const glm::vec3& 
   return result;
 }
 
-bool is_broad(const std::string& name) {
-  return name != "Phong 1000" && name.find("0.0") == std::string::npos;
-}
+bool is_broad(const std::string& name) { return name != "Phong 1000" && name.find("0.0") == std::string::npos; }
 
 }  // namespace
 
@@ -158,8 +155,7 @@ TEST_CASE("sampling: pdf of a sample is pdf() of its direction, which is a unit 
 
 TEST_CASE("sampling: no sample from a black material, from below, and at the corners of the random numbers") {
   const glm::vec3 up(0.0F, 0.0F, 1.0F);
-  const zonal::Brdf empty, black{{zonal::LambertBrdf{glm::vec3(0.0F)}}},
-      grey{{zonal::LambertBrdf{glm::vec3(0.5F)}}};
+  const zonal::Brdf empty, black{{zonal::LambertBrdf{glm::vec3(0.0F)}}}, grey{{zonal::LambertBrdf{glm::vec3(0.5F)}}};
   const glm::vec2 u(0.5F, 0.5F);
   CHECK(sample(empty, up, 0.5F, u).pdf == 0.0F);
   CHECK(sample(black, up, 0.5F, u).pdf == 0.0F);

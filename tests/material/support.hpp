@@ -18,12 +18,8 @@ struct Named {
   zonal::Brdf brdf;
 };
 
-inline zonal::ConductorFresnel gold() {
-  return {{0.14F, 0.37F, 1.44F}, {3.98F, 2.39F, 1.60F}};
-}
-inline zonal::SchlickFresnel white() {
-  return {glm::vec3(1.0F)};
-}
+inline zonal::ConductorFresnel gold() { return {{0.14F, 0.37F, 1.44F}, {3.98F, 2.39F, 1.60F}}; }
+inline zonal::SchlickFresnel white() { return {glm::vec3(1.0F)}; }
 
 inline zonal::Brdf ggx(float roughness, const zonal::Fresnel& fresnel) {
   return {{zonal::GgxBrdf{roughness, fresnel}}};
@@ -36,8 +32,7 @@ inline std::vector<Named> materials() {
       {"Phong 20", {{zonal::PhongBrdf{{0.3F, 0.4F, 0.5F}, 20.0F}}}},
       {"Phong 1000", {{zonal::PhongBrdf{{0.3F, 0.4F, 0.5F}, 1000.0F}}}},
       {"glass 0.3", ggx(0.3F, zonal::DielectricFresnel{1.5F})},
-      {"plastic",
-       {{zonal::LambertBrdf{{0.4F, 0.1F, 0.1F}}, zonal::GgxBrdf{0.15F, zonal::DielectricFresnel{1.5F}}}}},
+      {"plastic", {{zonal::LambertBrdf{{0.4F, 0.1F, 0.1F}}, zonal::GgxBrdf{0.15F, zonal::DielectricFresnel{1.5F}}}}},
       {"three lobes",
        {{zonal::LambertBrdf{glm::vec3(0.2F)}, zonal::PhongBrdf{glm::vec3(0.3F), 50.0F},
          zonal::GgxBrdf{0.4F, zonal::SchlickFresnel{{0.5F, 0.3F, 0.1F}}}}}},
@@ -55,8 +50,7 @@ class Random {
   float operator()() { return float(engine_() >> 8) * 0x1p-24F; }
   /// Uniform on the upper hemisphere.
   glm::vec3 direction() {
-    const float z = 1.0F - (*this)(), phi = 2.0F * float(pi) * (*this)(),
-                r = std::sqrt((1.0F - z) * (1.0F + z));
+    const float z = 1.0F - (*this)(), phi = 2.0F * float(pi) * (*this)(), r = std::sqrt((1.0F - z) * (1.0F + z));
     return {r * std::cos(phi), r * std::sin(phi), z};
   }
 
@@ -70,9 +64,7 @@ glm::vec<3, T> direction(T theta, T phi) {
 }
 
 /// Outgoing direction at `degrees` from the normal, phi = 0.
-inline glm::dvec3 outgoing(double degrees) {
-  return direction(degrees * pi / 180.0, 0.0);
-}
+inline glm::dvec3 outgoing(double degrees) { return direction(degrees * pi / 180.0, 0.0); }
 
 /// The midpoint rule over the upper hemisphere: sum of visit(wi, solid angle).
 template <class Visit>
@@ -89,8 +81,7 @@ void midpoint_hemisphere(int theta_count, int phi_count, const Visit& visit) {
 /// roughness: every cell of the midpoint rule has the same share of D cos, so that no lobe is too sharp.
 /// visit(wi, solid angle).
 template <class Visit>
-void half_vector_hemisphere(double alpha, const glm::dvec3& wo, int slopes, int azimuths,
-                            const Visit& visit) {
+void half_vector_hemisphere(double alpha, const glm::dvec3& wo, int slopes, int azimuths, const Visit& visit) {
   for (int i = 0; i < slopes; ++i) {
     const double s = (i + 0.5) / slopes, u = s * s * (3.0 - 2.0 * s), du = 6.0 * s * (1.0 - s) / slopes;
     const double tan2 = alpha * alpha * u / (1.0 - u), cos_h = 1.0 / std::sqrt(1.0 + tan2);

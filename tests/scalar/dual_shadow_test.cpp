@@ -63,8 +63,8 @@ TEST_CASE("A constant has no derivative, and duals nest for second derivatives")
   const double e = std::exp(0.3);
   CHECK(y.value.value == Catch::Approx(0.027 + e / std::sqrt(0.3)));
   CHECK(y.partial[0].value == Catch::Approx(0.27 + e * (std::pow(0.3, -0.5) - 0.5 * std::pow(0.3, -1.5))));
-  CHECK(y.partial[0].partial[0] == Catch::Approx(1.8 + e * (std::pow(0.3, -0.5) - std::pow(0.3, -1.5) +
-                                                            0.75 * std::pow(0.3, -2.5))));
+  CHECK(y.partial[0].partial[0] ==
+        Catch::Approx(1.8 + e * (std::pow(0.3, -0.5) - std::pow(0.3, -1.5) + 0.75 * std::pow(0.3, -2.5))));
 }
 
 TEST_CASE("The derivatives of evaluate are those of central differences") {

@@ -94,8 +94,10 @@ void check_angles() {
     for (std::size_t lane = 0; lane < 16; ++lane) {
       const double small = std::exp2(-40 * uniform(random)), quarter = static_cast<double>(pi) / 2;
       const double offset = lane % 2 ? small : quarter * uniform(random);
-      const double angle = lane % 8 < 2 ? offset : lane % 8 < 4 ? 2 * quarter - offset
-                           : lane % 8 < 6 ? quarter - offset : quarter + offset;
+      const double angle = lane % 8 < 2   ? offset
+                           : lane % 8 < 4 ? 2 * quarter - offset
+                           : lane % 8 < 6 ? quarter - offset
+                                          : quarter + offset;
       cosines[lane] = static_cast<T>(std::cos(angle));
       sines_[lane] = static_cast<T>(std::sin(angle));
     }
@@ -124,8 +126,10 @@ void check_small_angles() {
     const T cosine = std::cos(angle), sine = std::sin(angle);
     const S result = zonal::angle_from(S(cosine), S(sine));
     T value;
-    if constexpr (std::is_same_v<S, T>) value = result;
-    else value = result[0];
+    if constexpr (std::is_same_v<S, T>)
+      value = result;
+    else
+      value = result[0];
     CAPTURE(i);
     CHECK(std::abs(static_cast<long double>(value) - static_cast<long double>(angle)) <= 3 * ulp<T>(angle));
   }

@@ -54,14 +54,32 @@ void check_operations() {
   check_lanes<T, W>("a-b", [](const auto& a, const auto& b, const auto&) { return a - b; });
   check_lanes<T, W>("a*b", [](const auto& a, const auto& b, const auto&) { return a * b; });
   check_lanes<T, W>("a/b", [](const auto& a, const auto& b, const auto&) { return a / b; });
-  check_lanes<T, W>("min", [](const auto& a, const auto& b, const auto&) { using zonal::min; return min(a, b); });
-  check_lanes<T, W>("max", [](const auto& a, const auto& b, const auto&) { using zonal::max; return max(a, b); });
-  check_lanes<T, W>("abs", [](const auto& a, const auto&, const auto&) { using zonal::abs; return abs(a); });
-  check_lanes<T, W>("sqrt", [](const auto& a, const auto&, const auto&) {
-    using zonal::abs, zonal::sqrt;
-    return sqrt(abs(a));
-  }, 2);
-  check_lanes<T, W>("exp", [](const auto& a, const auto&, const auto&) { using zonal::exp; return exp(a); }, 4);
+  check_lanes<T, W>("min", [](const auto& a, const auto& b, const auto&) {
+    using zonal::min;
+    return min(a, b);
+  });
+  check_lanes<T, W>("max", [](const auto& a, const auto& b, const auto&) {
+    using zonal::max;
+    return max(a, b);
+  });
+  check_lanes<T, W>("abs", [](const auto& a, const auto&, const auto&) {
+    using zonal::abs;
+    return abs(a);
+  });
+  check_lanes<T, W>(
+      "sqrt",
+      [](const auto& a, const auto&, const auto&) {
+        using zonal::abs, zonal::sqrt;
+        return sqrt(abs(a));
+      },
+      2);
+  check_lanes<T, W>(
+      "exp",
+      [](const auto& a, const auto&, const auto&) {
+        using zonal::exp;
+        return exp(a);
+      },
+      4);
   check_lanes<T, W>("a<b", [](const auto& a, const auto& b, const auto& c) {
     using zonal::select;
     return select(a < b, b, c);

@@ -38,8 +38,8 @@ TEST_CASE("Constants combine, and x+0, x-0, x*1 and x/1 are x") {
   CHECK(exp(Recorder(0)).constant() == 1);
   CHECK(select(Recorder(1) < Recorder(2), x, Recorder(5)).line() == x.line());
   CHECK(select(Recorder(2) <= Recorder(1), x, Recorder(5)).constant() == 5);
-  for (const Recorder& same : {x + Recorder(0), Recorder(0) + x, x - Recorder(0), x * Recorder(1), Recorder(1) * x,
-                               x / Recorder(1)}) {
+  for (const Recorder& same :
+       {x + Recorder(0), Recorder(0) + x, x - Recorder(0), x * Recorder(1), Recorder(1) * x, x / Recorder(1)}) {
     CHECK(same.line() == x.line());
   }
   CHECK(recording.lines().size() == 1);

@@ -80,7 +80,8 @@ TEST_CASE("convolve: irradiance over pi of a light is its integral against the c
   const auto light = zonal::orient(zonal::project<5>(zonal::SphericalCap<double>::from_angle(0.5)), axis);
   const auto lambert = zonal::project<5, double>(zonal::LambertLobe{});
   const double by_convolution = zonal::reconstruct(zonal::convolve(light, lambert), normal);
-  const auto cosine = project_by_quadrature<5>([&](const Vec3& d) { return std::max(dot(d, normal), 0.0) / pi; }, 1500, 512);
+  const auto cosine =
+      project_by_quadrature<5>([&](const Vec3& d) { return std::max(dot(d, normal), 0.0) / pi; }, 1500, 512);
   CHECK(std::abs(by_convolution - zonal::dot(light, cosine)) < 2e-6);
 }
 

@@ -1,10 +1,10 @@
-// The gradient of the basis by angles, as in [1]: the slow reference. Undefined at the poles, for it divides by sin theta.
-// evaluate_with_gradient (gradient.hpp) needs no angles.
+// The gradient of the basis by angles, as in [1]: the slow reference. Undefined at the poles, for it divides by sin
+// theta. evaluate_with_gradient (gradient.hpp) needs no angles.
 //
 // Both methods give the derivatives by theta and phi; by phi it is -m Y_l^-m [1, Eq. 17]. to_cartesian is Eq. 23.
 //
 // - sloan_like: with Y_l^m = Q_l^m U_m, Q a polynomial in z and U_m = Re (x+iy)^m,
-//   d/dtheta Y = (Q m cos/sin + T) U, T = dQ/dtheta by the derivative of Q's recurrence            [1] Eq. 20-22, 32, 33
+//   d/dtheta Y = (Q m cos/sin + T) U, T = dQ/dtheta by the derivative of Q's recurrence     [1] Eq. 20-22, 32, 33
 // - direct: d/dtheta P_l^m = -((l-m+1)(l+m) P_l^(m-1) - P_l^(m+1)) / 2, P_l^1 at m = 0                  [1] Eq. 18, 19
 //
 // [1] Mezieres et al., Recursive analytic spherical harmonics gradient for spherical lights, CGF 41(2), 2022.
@@ -24,7 +24,8 @@ struct AngularGradient {
 namespace detail {
 using zonal::detail::legendre_column;
 
-// sink(l, Q_l^m, T_l^m), normalised, for l = m .. N-1: the first four explicitly, then the recurrence and its derivative.
+// sink(l, Q_l^m, T_l^m), normalised, for l = m .. N-1: the first four explicitly, then the recurrence and its
+// derivative.
 template <int N, int m, class T, class Sink>
 ZONAL_INLINE constexpr void legendre_column_with_slope(const T& cosine, const T& sine, Sink&& sink) {
   constexpr auto& table = basis_table<N>;

@@ -106,7 +106,8 @@ ZONAL_INLINE constexpr void ladder(const Sh<M, T>& y, Sink&& sink) {
     } else {
       ladder<l, T, Weights>([&](auto m) ZONAL_INLINE { return y.values[sh_index(l + 1, m)]; },
                             [&](auto m) ZONAL_INLINE { return y.values[sh_index(l - 1, m)]; },
-                            [&](auto m, const T& gx, const T& gy, const T& gz) ZONAL_INLINE { sink(l, m, gx, gy, gz); });
+                            [&](auto m, const T& gx, const T& gy, const T& gz)
+                                ZONAL_INLINE { sink(l, m, gx, gy, gz); });
     }
   });
 }
@@ -140,9 +141,9 @@ ZONAL_INLINE constexpr void evaluate_with_gradient(const T& x, const T& y, const
   static_assert(N >= 1, "bands out of range: N >= 1");
   Sh<N + 1, T> basis{};
   detail::evaluate_into(basis, x, y, z);
-  detail::ladder<N, detail::AngularWeights>(basis, [&](auto l, auto m, const T& gx, const T& gy, const T& gz) ZONAL_INLINE {
-    sink(l, m, basis.values[sh_index(l, m)], gx, gy, gz);
-  });
+  detail::ladder<N, detail::AngularWeights>(basis,
+                                            [&](auto l, auto m, const T& gx, const T& gy, const T& gz)
+                                                ZONAL_INLINE { sink(l, m, basis.values[sh_index(l, m)], gx, gy, gz); });
 }
 
 /// The same as arrays, at anything with v[0], v[1], v[2].
@@ -182,12 +183,13 @@ constexpr ShHessian<N, component_t<Direction>> evaluate_with_hessian(const Direc
   ShHessian<N, T> result{};
   for (int i = 0; i < N * N; ++i) result.value.values[i] = basis.values[i];
   const auto put = [&](const auto& values, Sh<N, T>* x, Sh<N, T>* y, Sh<N, T>* z) ZONAL_INLINE {
-    detail::ladder<N, detail::AngularWeights>(values, [&](auto l, auto m, const T& gx, const T& gy, const T& gz) ZONAL_INLINE {
-      const int i = sh_index(l, m);
-      if (x) x->values[i] = gx;
-      if (y) y->values[i] = gy;
-      if (z) z->values[i] = gz;
-    });
+    detail::ladder<N, detail::AngularWeights>(values,
+                                              [&](auto l, auto m, const T& gx, const T& gy, const T& gz) ZONAL_INLINE {
+                                                const int i = sh_index(l, m);
+                                                if (x) x->values[i] = gx;
+                                                if (y) y->values[i] = gy;
+                                                if (z) z->values[i] = gz;
+                                              });
   };
   put(basis, &result.gradient[0], &result.gradient[1], &result.gradient[2]);
   put(slopes[0], &result.hessian[0], nullptr, nullptr);

@@ -12,9 +12,9 @@ namespace zonal {
 /// none: 1. smoothstep: an approximation. exact: the share of the cap's solid angle.
 enum class Horizon { none, smoothstep, exact };
 
-/// H by smoothstep of the elevation, 0 to 1, within 0.097 of the exact share. [1] Eq. 22 prints the lower bound as a - pi/2 where it is pi/2 - a, and
-/// does not clamp; with the elevation h = pi/2 - angle the argument is (1 + h/a)/2, clamped.
-/// cos_angle is the cosine between the normal and the cap's axis; the cap is no larger than a hemisphere.
+/// H by smoothstep of the elevation, 0 to 1, within 0.097 of the exact share. [1] Eq. 22 prints the lower bound as a -
+/// pi/2 where it is pi/2 - a, and does not clamp; with the elevation h = pi/2 - angle the argument is (1 + h/a)/2,
+/// clamped. cos_angle is the cosine between the normal and the cap's axis; the cap is no larger than a hemisphere.
 template <class T>
 ZONAL_INLINE constexpr T horizon_smoothstep(const SphericalCap<T>& cap, const T& cos_angle) {
   // A point has no extent: it is above or below. The floor keeps 0/0 out and changes no sphere one can see.

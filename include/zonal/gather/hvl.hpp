@@ -15,8 +15,8 @@
 #include <algorithm>
 #include <vector>
 
-#include <glm/geometric.hpp>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include "../basis/evaluate.hpp"
@@ -28,8 +28,8 @@
 
 namespace zonal {
 
-/// Where the emission of degree l and order m stands, 0 <= m <= l, l+m even; emission_index(NE, 0) or (NE, 1), whichever
-/// is even, is how many there are in NE bands.
+/// Where the emission of degree l and order m stands, 0 <= m <= l, l+m even; emission_index(NE, 0) or (NE, 1),
+/// whichever is even, is how many there are in NE bands.
 constexpr int emission_index(int l, int m) { return (l + 1) * (l + 1) / 4 + m / 2; }
 
 /// What a sphere light needs to be seen: a light of the cache as the kernel reads it, one lane or a packet of them.
@@ -103,10 +103,11 @@ ZONAL_INLINE inline void hvl_radiance(const HvlRecord<NE, T>& light, const Recei
   for (auto& channel : by_degree) {
     for (T& sum : channel) sum = T(0);
   }
-  evaluate_even<N>(detail::dot3(direction, receiver.tangent), cos_receiver, [&](auto l, auto m, const T& y) ZONAL_INLINE {
-    const auto& f = material.values[even_index(l, m)];
-    for (int c = 0; c < 3; ++c) by_degree[c][l] = by_degree[c][l] + T(f[c]) * y;
-  });
+  evaluate_even<N>(detail::dot3(direction, receiver.tangent), cos_receiver,
+                   [&](auto l, auto m, const T& y) ZONAL_INLINE {
+                     const auto& f = material.values[even_index(l, m)];
+                     for (int c = 0; c < 3; ++c) by_degree[c][l] = by_degree[c][l] + T(f[c]) * y;
+                   });
   T reflected[3] = {T(0), T(0), T(0)};
   detail::cap_sums<N>(cap, [&](auto l, const T& sum) ZONAL_INLINE {  // A_l / pi
     for (int c = 0; c < 3; ++c) reflected[c] = reflected[c] + sum * by_degree[c][l];
@@ -140,8 +141,8 @@ class HvlCache {
   ZONAL_INLINE Record packet(int index) const {
     Record record;
     const float* source = fields_.data() + static_cast<std::size_t>(index * Lanes::width * Record::field_count);
-    unroll<0, Record::field_count>(
-        [&](auto i) ZONAL_INLINE { record.field(i) = Lanes::load(source + i * Lanes::width); });
+    unroll<0, Record::field_count>([&](auto i)
+                                       ZONAL_INLINE { record.field(i) = Lanes::load(source + i * Lanes::width); });
     return record;
   }
 

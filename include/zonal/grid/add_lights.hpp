@@ -25,7 +25,8 @@ struct VertexPacket {
 
   VertexPacket(const CoefficientGrid<N>& grid, std::size_t packet) : first(packet * kNativeLanes) {
     count = std::min<std::size_t>(kNativeLanes, grid.vertex_count() - first);
-    const auto width = static_cast<std::size_t>(grid.resolution().x), height = static_cast<std::size_t>(grid.resolution().y);
+    const auto width = static_cast<std::size_t>(grid.resolution().x),
+               height = static_cast<std::size_t>(grid.resolution().y);
     float lanes[3][kNativeLanes];
     for (std::size_t lane = 0; lane < kNativeLanes; ++lane) {
       const std::size_t vertex = first + std::min(lane, count - 1);
@@ -56,9 +57,10 @@ inline SphereLight<LightLanes> in_lanes(const std::array<SphereLight<float>, lig
     for (std::size_t i = 0; i < lights_at_once; ++i) values[i] = get(lights[i]);
     return LightLanes::blocks<lights_at_once>(values);
   };
-  return {{field([](const auto& light) { return light.center.x; }), field([](const auto& light) { return light.center.y; }),
-           field([](const auto& light) { return light.center.z; })},
-          field([](const auto& light) { return light.radius; })};
+  return {
+      {field([](const auto& light) { return light.center.x; }), field([](const auto& light) { return light.center.y; }),
+       field([](const auto& light) { return light.center.z; })},
+      field([](const auto& light) { return light.radius; })};
 }
 
 }  // namespace detail
@@ -66,7 +68,8 @@ inline SphereLight<LightLanes> in_lanes(const std::array<SphereLight<float>, lig
 /// Adds sphere lights to the grid: value and gradient at every vertex. for_each(count, body) calls body(0), ...,
 /// body(count - 1), in any order, on as many threads as it likes.
 template <int N, class ForEach>
-void add_lights(CoefficientGrid<N>& grid, const std::vector<ColouredLight<SphereLight<float>>>& lights, ForEach&& for_each) {
+void add_lights(CoefficientGrid<N>& grid, const std::vector<ColouredLight<SphereLight<float>>>& lights,
+                ForEach&& for_each) {
   using detail::lights_at_once, detail::LightLanes, detail::VertexLanes;
   if (lights.empty()) return;
   const auto packets = static_cast<int>((grid.vertex_count() + kNativeLanes - 1) / kNativeLanes);

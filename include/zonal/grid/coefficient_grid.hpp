@@ -1,10 +1,10 @@
 // Coefficients and their spatial gradients at the vertices of a regular grid over a box.
 //
-// All is one array of floats: vertex after vertex, x fastest, then y; per vertex four blocks side by side, the value and
-// its derivatives by x, y and z; per block 3 N*N floats in the order of Sh<N, glm::vec3>, coefficient by coefficient, RGB
-// innermost. An interpolation weighs all floats of a block alike, so any order within a block vectorises as well, and
-// this one is what goes in and out. Blocks of a vertex adjoin because the interpolations that use gradients read all
-// four, and so do vertices along x: a cell is four runs of memory.
+// All is one array of floats: vertex after vertex, x fastest, then y; per vertex four blocks side by side, the value
+// and its derivatives by x, y and z; per block 3 N*N floats in the order of Sh<N, glm::vec3>, coefficient by
+// coefficient, RGB innermost. An interpolation weighs all floats of a block alike, so any order within a block
+// vectorises as well, and this one is what goes in and out. Blocks of a vertex adjoin because the interpolations that
+// use gradients read all four, and so do vertices along x: a cell is four runs of memory.
 #pragma once
 
 #include <cassert>
@@ -21,9 +21,9 @@
 
 namespace zonal {
 
-/// N bands of RGB coefficients and their gradients, per unit of length, at resolution.x * .y * .z vertices, the outermost
-/// on the faces of the box from `low` to `high`. 48 N*N bytes per vertex, and no more. Vertices are named by (i, j, k),
-/// from 0.
+/// N bands of RGB coefficients and their gradients, per unit of length, at resolution.x * .y * .z vertices, the
+/// outermost on the faces of the box from `low` to `high`. 48 N*N bytes per vertex, and no more. Vertices are named by
+/// (i, j, k), from 0.
 template <int N>
 class CoefficientGrid {
  public:

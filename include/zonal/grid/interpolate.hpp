@@ -5,8 +5,8 @@
 //
 // Outside the box the interpolant is that of the nearest point of the box, constant along the face's normal: there the
 // gradient's component across the face is 0. On the face itself it is the inside's. On a face between cells, where a
-// component may jump, it is that of the cell above. A coordinate that is not a number makes all results NaN; one that is
-// infinite lies outside.
+// component may jump, it is that of the cell above. A coordinate that is not a number makes all results NaN; one that
+// is infinite lies outside.
 //
 // In float the weights are exact to a few ulp; the position within a cell, as any difference to `low`, to an ulp of the
 // number of cells that lie below it.
@@ -31,7 +31,7 @@ struct CellCoordinate {
 };
 inline CellCoordinate locate(float x, float low, float high, int vertices) {
   const float last = static_cast<float>(vertices - 1), rate = last / (high - low);
-  const float inside = clamp((x - low) * rate, 0.0F, last);                 // NaN stays
+  const float inside = clamp((x - low) * rate, 0.0F, last);                // NaN stays
   const int cell = static_cast<int>(min(max(0.0F, inside), last - 1.0F));  // NaN is 0: the order of operands matters
   return {cell, inside - static_cast<float>(cell), x < low || high < x ? 0.0F : rate};
 }
@@ -46,8 +46,7 @@ struct CellLookup {
     const glm::vec3 spacing = grid.spacing();
     glm::ivec3 cell;
     for (int axis = 0; axis < 3; ++axis) {
-      const CellCoordinate place =
-          locate(position[axis], grid.low()[axis], grid.high()[axis], grid.resolution()[axis]);
+      const CellCoordinate place = locate(position[axis], grid.low()[axis], grid.high()[axis], grid.resolution()[axis]);
       cell[axis] = place.cell;
       size[axis] = spacing[axis];
       t[axis] = place.t;
@@ -92,7 +91,9 @@ ZONAL_INLINE inline void weighted_sums(const float* const (&corners)[8],
   using P = typename Floats::Type;
   unroll<0, (packets + together - 1) / together>([&](auto group) ZONAL_INLINE {
     constexpr int first = group * together, size = packets - first < together ? packets - first : together;
-    constexpr auto begin = [](int i) { return (first + i) * lanes < Count - lanes ? (first + i) * lanes : Count - lanes; };
+    constexpr auto begin = [](int i) {
+      return (first + i) * lanes < Count - lanes ? (first + i) * lanes : Count - lanes;
+    };
     P partial[static_cast<std::size_t>(Outputs)][static_cast<std::size_t>(size)];
     for (auto& output : partial) {
       for (P& p : output) p = P(0);
@@ -124,16 +125,17 @@ ZONAL_INLINE inline Sh<N, glm::vec3> as_sh(const float (&values)[std::size_t{3 *
 template <Interpolation method, int N>
 Sh<N, glm::vec3> interpolate(const CoefficientGrid<N>& grid, const glm::vec3& position) {
   const detail::CellLookup<N> at(grid, position);
-  const CellWeights<method, float> weights[1] = {cell_weights<method>(
-      axis_weights<method>(at.t[0], at.size[0]), axis_weights<method>(at.t[1], at.size[1]),
-      axis_weights<method>(at.t[2], at.size[2]))};
+  const CellWeights<method, float> weights[1] = {cell_weights<method>(axis_weights<method>(at.t[0], at.size[0]),
+                                                                      axis_weights<method>(at.t[1], at.size[1]),
+                                                                      axis_weights<method>(at.t[2], at.size[2]))};
   float sums[1][static_cast<std::size_t>(3 * N * N)];
   detail::weighted_sums<method, 3 * N * N, 1>(at.corners, weights, sums);
   return detail::as_sh<N>(sums[0]);
 }
 
-/// The same, and the interpolant's own gradient, exactly: d/dx, d/dy and d/dz of the interpolated coefficients, per unit
-/// of length. (Not the interpolated gradient: the two agree at the vertices only, and for trilinear not even there.)
+/// The same, and the interpolant's own gradient, exactly: d/dx, d/dy and d/dz of the interpolated coefficients, per
+/// unit of length. (Not the interpolated gradient: the two agree at the vertices only, and for trilinear not even
+/// there.)
 template <Interpolation method, int N>
 ShGradient<N, glm::vec3> interpolate_with_gradient(const CoefficientGrid<N>& grid, const glm::vec3& position) {
   const detail::CellLookup<N> at(grid, position);
@@ -147,8 +149,7 @@ ShGradient<N, glm::vec3> interpolate_with_gradient(const CoefficientGrid<N>& gri
       cell_weights<method>(axis[0], slope[1], axis[2]), cell_weights<method>(axis[0], axis[1], slope[2])};
   float sums[4][static_cast<std::size_t>(3 * N * N)];
   detail::weighted_sums<method, 3 * N * N, 4>(at.corners, weights, sums);
-  return {detail::as_sh<N>(sums[0]),
-          {detail::as_sh<N>(sums[1]), detail::as_sh<N>(sums[2]), detail::as_sh<N>(sums[3])}};
+  return {detail::as_sh<N>(sums[0]), {detail::as_sh<N>(sums[1]), detail::as_sh<N>(sums[2]), detail::as_sh<N>(sums[3])}};
 }
 
 }  // namespace zonal

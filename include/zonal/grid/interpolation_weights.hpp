@@ -1,8 +1,8 @@
 // The weights of the three interpolations between the 8 corners of a cell, as kernels on any scalar.
 //
 // Trilinear, Taylor and Hermite are one formula. With t in [0,1] across the cell, each axis gives each of its two ends
-// three numbers: `linear` (l), the hat; `bump` (b), what a cubic adds to it; and `slope` (s), the weight of a derivative.
-// With p = t (1-t), at the ends t = 0 and t = 1:
+// three numbers: `linear` (l), the hat; `bump` (b), what a cubic adds to it; and `slope` (s), the weight of a
+// derivative. With p = t (1-t), at the ends t = 0 and t = 1:
 //
 //              l           b                      s, times the cell's size
 //   trilinear  1-t, t      0                      0
@@ -16,8 +16,8 @@
 // which is linear in the three numbers of each axis: the weights' derivative along x is the same formula with the
 // derivatives of x's three.
 //
-// Taylor is Annen et al.'s [1] expansion about every corner, averaged with the trilinear weights. Its leading error is the
-// trilinear one with the other sign (t^2 becomes t^2 - p, not t^2 + p): of the same size, at four times the memory.
+// Taylor is Annen et al.'s [1] expansion about every corner, averaged with the trilinear weights. Its leading error is
+// the trilinear one with the other sign (t^2 becomes t^2 - p, not t^2 + p): of the same size, at four times the memory.
 //
 // Hermite [2] is cubic along each axis. A cubic in x, y and z needs cross derivatives too, which no vertex has. Here
 // they come from the cell's own corners (D_x: the difference of two corners over their distance):
@@ -27,8 +27,8 @@
 // Adini's choice, in which the leading errors of the terms cancel. It makes the interpolant the formula above: what
 // trilinear gives, plus the cubic's share along each axis, blended linearly across it. All polynomials of degree 3 come
 // out exactly, and so do cubics in one coordinate times linears in the others: the error is O(h^4). Values are
-// continuous; the derivative across a face is exact at its corners and jumps by O(h^3) elsewhere. Zero cross derivatives
-// would leave no jump, but an error of O(h^2).
+// continuous; the derivative across a face is exact at its corners and jumps by O(h^3) elsewhere. Zero cross
+// derivatives would leave no jump, but an error of O(h^2).
 //
 // Mean error in 1e-4 of the mean |coefficient|, 5 bands, box from -1 to 1; time and memory against trilinear:
 //
@@ -45,9 +45,9 @@
 //   the same in this one's memory           64     45.1     1.24                   104      2.55     (6^3, 13^3)
 //   (trilinear in this one's memory)         8      130     33.0                   195      49.0    (13^3, 25^3)
 //
-// (*) f_y and f_z linear in x, then f_z in y. The jump of the derivative across faces, of the mean |gradient|: trilinear
-// 0.58 at 8^3 and 0.30 at 16^3, this one 0.039 and 0.0048, zero 0; but the derivative itself is off by 0.013 and 0.0014,
-// with zero by 0.031 and 0.010.
+// (*) f_y and f_z linear in x, then f_z in y. The jump of the derivative across faces, of the mean |gradient|:
+// trilinear 0.58 at 8^3 and 0.30 at 16^3, this one 0.039 and 0.0048, zero 0; but the derivative itself is off by 0.013
+// and 0.0014, with zero by 0.031 and 0.010.
 //
 // [1] Annen et al., Spherical harmonic gradients for mid-range illumination, EGSR 2004.
 // [2] Wu et al., Analytic spherical harmonic gradients for real-time rendering with many polygonal area lights, TOG
@@ -101,8 +101,8 @@ ZONAL_INLINE constexpr AxisWeights<T> axis_weight_derivatives(const T& t, const 
   }
 }
 
-/// Corner c is at the far end of x, y and z by bits 0, 1 and 2 of c; its weights are those of the value and, if read, of
-/// the derivatives by x, y and z.
+/// Corner c is at the far end of x, y and z by bits 0, 1 and 2 of c; its weights are those of the value and, if read,
+/// of the derivatives by x, y and z.
 template <Interpolation method, class T>
 struct CellWeights {
   T corner[8][static_cast<std::size_t>(blocks_read(method))];

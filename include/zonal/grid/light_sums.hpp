@@ -1,8 +1,8 @@
 // The sum of many coloured lights at a receiver, or a packet of them: coefficients and gradients, RGB.
 //
 // The gradient of L_l^m is U[p_l Y_(l+1)] + D[q_l Y_(l-1)], with U and D linear and the same for all lights
-// (light/radial.hpp). So p_l Y_(l+1) and q_l Y_(l-1) are summed over the lights, and U and D applied once, at the end: per
-// light and colour 6 l + 3 multiplications for degree l, instead of 8 l + 4 and the gradient itself.
+// (light/radial.hpp). So p_l Y_(l+1) and q_l Y_(l-1) are summed over the lights, and U and D applied once, at the end:
+// per light and colour 6 l + 3 multiplications for degree l, instead of 8 l + 4 and the gradient itself.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -71,10 +71,11 @@ class LightSums {
   void finish(Sink&& sink) const {
     for (int c = 0; c < 3; ++c) {
       unroll<0, N>([&](auto l) {
-        detail::ladder<l, T, detail::UnitWeights>(
-            [&](auto m) { return sums_[sh_index(l + 1, m)].up[c]; },
-            [&](auto m) { return sums_[sh_index(l - 1, m)].down[c]; },
-            [&](auto m, const T& x, const T& y, const T& z) { sink(l, m, c, sums_[sh_index(l, m)].value[c], x, y, z); });
+        detail::ladder<l, T, detail::UnitWeights>([&](auto m) { return sums_[sh_index(l + 1, m)].up[c]; },
+                                                  [&](auto m) { return sums_[sh_index(l - 1, m)].down[c]; },
+                                                  [&](auto m, const T& x, const T& y, const T& z) {
+                                                    sink(l, m, c, sums_[sh_index(l, m)].value[c], x, y, z);
+                                                  });
       });
     }
   }

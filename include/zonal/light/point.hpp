@@ -1,5 +1,5 @@
-// Lights without extent: point, spot, directional. Their image is a single direction, which no number of bands resolves:
-// use them with a convolution, or a window.
+// Lights without extent: point, spot, directional. Their image is a single direction, which no number of bands
+// resolves: use them with a convolution, or a window.
 #pragma once
 
 #include "radial.hpp"

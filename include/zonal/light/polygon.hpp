@@ -1,7 +1,7 @@
 // Convex polygon lights, exactly: integrals over the edges instead of the surface.
 //
-// The polygon of vertices p_i, seen from the receiver, is a spherical polygon Omega whose edges are great-circle arcs. By
-// the divergence theorem, with -l(l+1) the eigenvalue of the Laplacian and n_e the edge's unit normal towards the inside,
+// The polygon of vertices p_i, seen from the receiver, is a spherical polygon Omega whose edges are great-circle arcs.
+// By the divergence theorem, with -l(l+1) the eigenvalue of the Laplacian and n_e the edge's unit inward normal,
 //
 //   integral over Omega of Y_l^m = 1/(l(l+1)) sum over edges n_e . integral of grad Y_l^m ds,     l >= 1,
 //
@@ -170,14 +170,14 @@ ZONAL_INLINE constexpr void finish(const PolygonSums<N, T>& sums, Sink&& sink) {
   Sh<N, T> value;
   value.values[0] = T(1 / (2 * constexpr_sqrt(kPi))) * sums.solid_angle;
   unroll<0, 3>([&](auto k) ZONAL_INLINE {
-    detail::ladder<N, detail::AngularWeights>(
-        sums.moment[k], [&](auto l, auto m, const T& gx, const T& gy, const T& gz) ZONAL_INLINE {
-          if constexpr (l > 0) {
-            const T component = k == 0 ? gx : k == 1 ? gy : gz;
-            T& target = value.values[sh_index(l, m)];
-            target = k == 0 ? component : target + component;
-          }
-        });
+    detail::ladder<N, detail::AngularWeights>(sums.moment[k],
+                                              [&](auto l, auto m, const T& gx, const T& gy, const T& gz) ZONAL_INLINE {
+                                                if constexpr (l > 0) {
+                                                  const T component = k == 0 ? gx : k == 1 ? gy : gz;
+                                                  T& target = value.values[sh_index(l, m)];
+                                                  target = k == 0 ? component : target + component;
+                                                }
+                                              });
   });
   unroll<0, N>([&](auto l) ZONAL_INLINE {
     unroll<-l, l + 1>([&](auto m) ZONAL_INLINE {
@@ -217,9 +217,9 @@ T largest_arc(const PolygonLight<V, T>& light, const glm::vec<3, T>& x) {
 
 /// Coefficients at the receiver x, and their gradient by its position, within `tolerance` of the largest coefficient.
 template <int N, int V, class T>
-ShGradient<N, T> project_with_gradient(const PolygonLight<V, T>& light, const glm::vec<3, T>& x, double tolerance = 1e-6) {
-  const QuadratureRule rule =
-      gauss_legendre(edge_nodes(N, static_cast<double>(largest_arc(light, x)), tolerance));
+ShGradient<N, T> project_with_gradient(const PolygonLight<V, T>& light, const glm::vec<3, T>& x,
+                                       double tolerance = 1e-6) {
+  const QuadratureRule rule = gauss_legendre(edge_nodes(N, static_cast<double>(largest_arc(light, x)), tolerance));
   ShGradient<N, T> sh;
   finish<N>(polygon_sums<N>(light, rule, x[0], x[1], x[2]),
             [&](auto l, auto m, const T& value, const T& gx, const T& gy, const T& gz) ZONAL_INLINE {

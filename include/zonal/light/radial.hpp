@@ -107,18 +107,15 @@ ZONAL_INLINE constexpr void project_radial_with_gradient(const RadialProfile<N, 
     const T up = detail::step_up(l, factor * sight.inverse_distance, slope);
     const T down = detail::step_down(l, factor * sight.inverse_distance, slope);
     Sh<l + 2, T> scaled;  // degrees l-1 and l+1, times their weights
-    unroll<-l - 1, l + 2>([&](auto m) ZONAL_INLINE {
-      scaled.values[sh_index(l + 1, m)] = up * basis.values[sh_index(l + 1, m)];
-    });
-    unroll<1 - l, l>([&](auto m) ZONAL_INLINE {
-      scaled.values[sh_index(l - 1, m)] = down * basis.values[sh_index(l - 1, m)];
-    });
-    detail::ladder<l, T, detail::UnitWeights>(
-        [&](auto m) ZONAL_INLINE { return scaled.values[sh_index(l + 1, m)]; },
-        [&](auto m) ZONAL_INLINE { return scaled.values[sh_index(l - 1, m)]; },
-        [&](auto m, const T& gx, const T& gy, const T& gz) ZONAL_INLINE {
-          sink(l, m, factor * basis.values[sh_index(l, m)], gx, gy, gz);
-        });
+    unroll<-l - 1, l + 2>(
+        [&](auto m) ZONAL_INLINE { scaled.values[sh_index(l + 1, m)] = up * basis.values[sh_index(l + 1, m)]; });
+    unroll<1 - l, l>([&](auto m)
+                         ZONAL_INLINE { scaled.values[sh_index(l - 1, m)] = down * basis.values[sh_index(l - 1, m)]; });
+    detail::ladder<l, T, detail::UnitWeights>([&](auto m) ZONAL_INLINE { return scaled.values[sh_index(l + 1, m)]; },
+                                              [&](auto m) ZONAL_INLINE { return scaled.values[sh_index(l - 1, m)]; },
+                                              [&](auto m, const T& gx, const T& gy, const T& gz) ZONAL_INLINE {
+                                                sink(l, m, factor * basis.values[sh_index(l, m)], gx, gy, gz);
+                                              });
   });
 }
 

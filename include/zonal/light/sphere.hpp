@@ -3,8 +3,8 @@
 // From outside, distance d > radius r, the sphere is a cap of half angle asin(r/d), and da/dd = -tan a / d.
 // - On the surface the slope A_l' is infinite for even l. What comes back is the slope where cos a = sqrt(epsilon)/2,
 //   just outside: finite, and larger than at any representable distance beyond.
-// - Inside, the light is a hemisphere about the direction to the centre: continuous with the surface; the slope is 0, the
-//   gradient is that of the direction alone.
+// - Inside, the light is a hemisphere about the direction to the centre: continuous with the surface. The slope is 0,
+//   and the gradient is that of the direction alone.
 // - At the centre there is no direction: the hemisphere about +z. The gradient is meaningless, but finite.
 //
 // [1] Mezieres et al., Recursive analytic spherical harmonics gradient for spherical lights, CGF 41(2), 2022.
@@ -17,8 +17,8 @@
 
 namespace zonal {
 
-/// The profile of a sphere of radiance 1 [1, Eq. 9, 14-16]. With the constants of the cap and of the orientation together,
-/// A_l = pi sin^2 a e_l and A_l' = -2 pi sin^2 a / (d cos a) P_l(cos a).
+/// The profile of a sphere of radiance 1 [1, Eq. 9, 14-16]. With the constants of the cap and of the orientation
+/// together, A_l = pi sin^2 a e_l and A_l' = -2 pi sin^2 a / (d cos a) P_l(cos a).
 template <int N, class T>
 ZONAL_INLINE constexpr RadialProfile<N, T> sphere_profile(const Sight<T>& sight, const T& radius) {
   const T sin_angle = min(radius * sight.inverse_distance, T(1));
@@ -29,9 +29,8 @@ ZONAL_INLINE constexpr RadialProfile<N, T> sphere_profile(const Sight<T>& sight,
   const T slope = select(sight.distance < radius, T(0), T(-2 * kPi) * (sin_angle * tangent * sight.inverse_distance));
   RadialProfile<N, T> profile{};
   detail::cap_sums<N>(cap, [&](auto l, const T& sum) ZONAL_INLINE { profile.value.values[l] = T(kPi) * sum; });
-  detail::cap_legendre<N>(cap, [&](auto l, const T& legendre) ZONAL_INLINE {
-    profile.slope.values[l] = slope * legendre;
-  });
+  detail::cap_legendre<N>(cap,
+                          [&](auto l, const T& legendre) ZONAL_INLINE { profile.slope.values[l] = slope * legendre; });
   return profile;
 }
 

@@ -1,5 +1,5 @@
-// A triangle light approximated by a sphere [1, 4.4]: its centre of gravity, its area as the sphere's disc, and the cosine
-// of its normal as a factor. Cheap, and good where the triangle looks small. polygon.hpp is exact.
+// A triangle light approximated by a sphere [1, 4.4]: its centre of gravity, its area as the sphere's disc, and the
+// cosine of its normal as a factor. Cheap, and good where the triangle looks small. polygon.hpp is exact.
 //
 // [1] Mezieres et al., Recursive analytic spherical harmonics gradient for spherical lights, CGF 41(2), 2022.
 #pragma once
@@ -11,8 +11,8 @@
 
 namespace zonal {
 
-/// Radiance 1 to both sides. In the triangle's plane its light is zero; the gradient there, which jumps from one side to
-/// the other, is that of the side its vertices run around counterclockwise.
+/// Radiance 1 to both sides. In the triangle's plane its light is zero; the gradient there, which jumps from one side
+/// to the other, is that of the side its vertices run around counterclockwise.
 template <class T>
 struct TriangleSphereLight {
   glm::vec<3, T> center, normal;
@@ -37,7 +37,8 @@ struct TriangleSphereLight {
     const R* w = sight.direction;
     const R cosine = w[0] * n[0] + w[1] * n[1] + w[2] * n[2];
     const R slope = select(R(0) < cosine, sight.inverse_distance, -sight.inverse_distance);
-    return {abs(cosine), {slope * (cosine * w[0] - n[0]), slope * (cosine * w[1] - n[1]), slope * (cosine * w[2] - n[2])}};
+    return {abs(cosine),
+            {slope * (cosine * w[0] - n[0]), slope * (cosine * w[1] - n[1]), slope * (cosine * w[2] - n[2])}};
   }
 };
 

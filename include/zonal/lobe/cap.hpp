@@ -10,7 +10,9 @@
 // where nothing cancels. Beyond the hemisphere z_l(pi - a) = (-1)^(l+1) z_l(a) for l >= 1.
 //
 // The derivative is the integrand at the edge, dz_l/da = sqrt(pi (2l+1)) sin a P_l(cos a), without the division by
-// sin^2 a of [2, Eq. 14-16]; P_l too by its differences, P_l = P_(l-1) + p_l, p_l = ((l-1) p_(l-1) - (2l-1) t P_(l-1)) / l.
+// sin^2 a of [2, Eq. 14-16]; P_l too by its differences,
+//
+//   P_l = P_(l-1) + p_l,   p_l = ((l-1) p_(l-1) - (2l-1) t P_(l-1)) / l
 //
 // [1] Mezieres et al., Harmonics Virtual Lights, CGF 41(6), 2022.
 // [2] Mezieres et al., Recursive analytic spherical harmonics gradient for spherical lights, CGF 41(2), 2022.
@@ -108,9 +110,8 @@ ZONAL_INLINE constexpr void cap_legendre(const SphericalCap<T>& cap, Sink&& sink
 /// Greatest error against the largest coefficient, at every angle: docs/accuracy.md.
 template <int N, class T, class Sink>
 ZONAL_INLINE constexpr void project(const SphericalCap<T>& cap, Sink&& sink) {
-  detail::cap_sums<N>(cap, [&](auto l, const T& sum) ZONAL_INLINE {
-    sink(l, T(constexpr_sqrt(kPi * (2 * l + 1)) / 2) * sum);
-  });
+  detail::cap_sums<N>(
+      cap, [&](auto l, const T& sum) ZONAL_INLINE { sink(l, T(constexpr_sqrt(kPi * (2 * l + 1)) / 2) * sum); });
 }
 
 /// The same as an array.

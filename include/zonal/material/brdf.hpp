@@ -105,12 +105,10 @@ struct HalfVector {
 template <class T>
 HalfVector<T> half_vector(const glm::vec<3, T>& wi, const glm::vec<3, T>& wo) {
   const glm::vec<3, T> h = wi + wo;
-  const T scale =
-      std::max({std::abs(h.x), std::abs(h.y), h.z});  // no underflow between two grazing directions
+  const T scale = std::max({std::abs(h.x), std::abs(h.y), h.z});  // no underflow between two grazing directions
   const glm::vec<3, T> s = h / scale;
   const T squared_length = glm::dot(s, s);
-  return {scale * scale * squared_length, (s.x * s.x + s.y * s.y) / squared_length,
-          s.z * s.z / squared_length};
+  return {scale * scale * squared_length, (s.x * s.x + s.y * s.y) / squared_length, s.z * s.z / squared_length};
 }
 
 /// D of [1] Eq. 33, in 1/sr: alpha^2 / (pi (cos^2 (alpha^2 - 1) + 1)^2), without its cancellation.
@@ -148,8 +146,7 @@ T fresnel_reflectance(T cos_angle, T eta, T k) {
   const T b2 = std::max(T(0.5) * (modulus - real), T(0));
   const auto square = [](T x) { return x * x; };
   const T s_polarised = (square(a - c) + b2) / (square(a + c) + b2);
-  const T p_over_s =
-      (square(a * c - squared_sine) + b2 * c * c) / (square(a * c + squared_sine) + b2 * c * c);
+  const T p_over_s = (square(a * c - squared_sine) + b2 * c * c) / (square(a * c + squared_sine) + b2 * c * c);
   return T(0.5) * s_polarised * (T(1) + p_over_s);
 }
 
@@ -160,8 +157,7 @@ T fresnel_reflectance(T cos_angle, T eta, T k) {
 template <class T>
 glm::vec<3, T> reflectance(const ConductorFresnel& fresnel, T cos_angle) {
   const glm::vec<3, T> eta(fresnel.eta), k(fresnel.k);
-  return {detail::fresnel_reflectance(cos_angle, eta.x, k.x),
-          detail::fresnel_reflectance(cos_angle, eta.y, k.y),
+  return {detail::fresnel_reflectance(cos_angle, eta.x, k.x), detail::fresnel_reflectance(cos_angle, eta.y, k.y),
           detail::fresnel_reflectance(cos_angle, eta.z, k.z)};
 }
 

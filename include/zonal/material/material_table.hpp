@@ -137,8 +137,7 @@ std::vector<BrdfProjection<MaterialTable::max_bands>> project_all_angles(const F
   const ProjectionQuadrature quadrature;
   for_each(MaterialTable::max_angles, [&](int angle) {
     const double cos_outgoing = std::cos(double(kPi) / 180.0 * angle);
-    projections[std::size_t(angle)] =
-        project_brdf<MaterialTable::max_bands>(brdf, cos_outgoing, tolerance, quadrature);
+    projections[std::size_t(angle)] = project_brdf<MaterialTable::max_bands>(brdf, cos_outgoing, tolerance, quadrature);
   });
   return projections;
 }
@@ -161,8 +160,7 @@ MaterialTable project_material(const F& brdf, int bands, double tolerance = 1e-4
 /// The same for a sum of analytic lobes. What does not depend on the outgoing direction is projected once; a
 /// material that has nothing else needs a single row. 90 rows of GGX take 0.2 to 0.4 s on one core.
 template <class ForEach = SerialForEach>
-MaterialTable project_material(const Brdf& brdf, int bands, double tolerance = 1e-4,
-                               ForEach&& for_each = {}) {
+MaterialTable project_material(const Brdf& brdf, int bands, double tolerance = 1e-4, ForEach&& for_each = {}) {
   Brdf diffuse, glossy;
   for (const BrdfLobe& lobe : brdf.lobes) {
     (std::holds_alternative<LambertBrdf>(lobe) ? diffuse : glossy).lobes.push_back(lobe);

@@ -60,9 +60,7 @@ class ProjectionQuadrature {
 
 namespace detail {
 
-inline double largest(const glm::dvec3& rgb) {
-  return std::max({std::abs(rgb.x), std::abs(rgb.y), std::abs(rgb.z)});
-}
+inline double largest(const glm::dvec3& rgb) { return std::max({std::abs(rgb.x), std::abs(rgb.y), std::abs(rgb.z)}); }
 
 template <int N>
 double largest(const EvenSh<N, glm::dvec3>& sh) {
@@ -115,8 +113,8 @@ void add_azimuthal_moments(const F& brdf, const glm::dvec3& wo, double cos_theta
 /// Adds to both integrals the rows of theta between `mirror`, where the nodes crowd, and `end`. Y_l^m is its
 /// value at phi = 0 times cos(m phi), so each row needs the basis once.
 template <int N, class F>
-void add_theta_interval(const F& brdf, const glm::dvec3& wo, double mirror, double end,
-                        const QuadratureRule& rule, BrdfProjection<N>& result) {
+void add_theta_interval(const F& brdf, const glm::dvec3& wo, double mirror, double end, const QuadratureRule& rule,
+                        BrdfProjection<N>& result) {
   const double width = end - mirror;
   if (width == 0.0) return;
   for (std::size_t i = 0; i < rule.nodes.size(); ++i) {

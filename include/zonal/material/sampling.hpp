@@ -23,18 +23,12 @@ struct BrdfSample {
 
 namespace detail {
 
-inline float mean(const glm::vec3& rgb) {
-  return (rgb.x + rgb.y + rgb.z) / 3.0F;
-}
+inline float mean(const glm::vec3& rgb) { return (rgb.x + rgb.y + rgb.z) / 3.0F; }
 
 /// About the albedo of a lobe seen from wo, channels averaged: what to choose lobes by. It is positive
 /// wherever the lobe is, which is all that correctness asks for.
-inline float approximate_albedo(const LambertBrdf& brdf, const glm::vec3&) {
-  return mean(brdf.albedo);
-}
-inline float approximate_albedo(const PhongBrdf& brdf, const glm::vec3&) {
-  return mean(brdf.specular_albedo);
-}
+inline float approximate_albedo(const LambertBrdf& brdf, const glm::vec3&) { return mean(brdf.albedo); }
+inline float approximate_albedo(const PhongBrdf& brdf, const glm::vec3&) { return mean(brdf.specular_albedo); }
 inline float approximate_albedo(const GgxBrdf& brdf, const glm::vec3& wo) {
   return mean(reflectance(brdf.fresnel, wo.z));
 }
@@ -48,9 +42,7 @@ inline glm::vec3 sample_lobe(const LambertBrdf&, const glm::vec3&, const glm::ve
   return {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(1.0F - u.x)};
 }
 
-inline float lobe_pdf(const LambertBrdf&, const glm::vec3& wi, const glm::vec3&) {
-  return wi.z / float(kPi);
-}
+inline float lobe_pdf(const LambertBrdf&, const glm::vec3& wi, const glm::vec3&) { return wi.z / float(kPi); }
 
 /// v, given in a frame whose z axis is `axis`, in the frame of `axis` [3]. axis.z >= 0 keeps clear of the
 /// pole.
@@ -78,14 +70,13 @@ inline float lobe_pdf(const PhongBrdf& brdf, const glm::vec3& wi, const glm::vec
 inline glm::vec3 sample_visible_normal(float alpha, const glm::vec3& wo, const glm::vec2& u) {
   const glm::vec3 view = glm::normalize(glm::vec3(alpha * wo.x, alpha * wo.y, wo.z));
   const float squared_sine = view.x * view.x + view.y * view.y;
-  const glm::vec3 t1 = squared_sine > 0.0F ? glm::vec3(-view.y, view.x, 0.0F) / std::sqrt(squared_sine)
-                                           : glm::vec3(1.0F, 0.0F, 0.0F);
+  const glm::vec3 t1 =
+      squared_sine > 0.0F ? glm::vec3(-view.y, view.x, 0.0F) / std::sqrt(squared_sine) : glm::vec3(1.0F, 0.0F, 0.0F);
   const glm::vec3 t2 = glm::cross(view, t1);
   const float radius = std::sqrt(u.x), phi = 2.0F * float(kPi) * u.y;
   const float p1 = radius * std::cos(phi);
   const float blend = 0.5F * (1.0F + view.z);
-  const float p2 =
-      (1.0F - blend) * std::sqrt(std::max(0.0F, 1.0F - p1 * p1)) + blend * radius * std::sin(phi);
+  const float p2 = (1.0F - blend) * std::sqrt(std::max(0.0F, 1.0F - p1 * p1)) + blend * radius * std::sin(phi);
   const glm::vec3 n = p1 * t1 + p2 * t2 + std::sqrt(std::max(0.0F, 1.0F - p1 * p1 - p2 * p2)) * view;
   return glm::normalize(glm::vec3(alpha * n.x, alpha * n.y, std::max(1e-6F, n.z)));
 }

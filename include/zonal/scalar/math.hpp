@@ -39,7 +39,8 @@ ZONAL_INLINE constexpr T asin(const T& x) {
   // asin(s) = s + tail, the large part last; pi/2 in two parts, for beyond one half its rounding would show.
   constexpr auto& series = detail::arcsine_series<T>;
   T sum = T(series.coefficient[series.terms - 1]);
-  unroll<1, series.terms - 1>([&](auto k) ZONAL_INLINE { sum = sum * s2 + T(series.coefficient[series.terms - 1 - k]); });
+  unroll<1, series.terms - 1>([&](auto k)
+                                  ZONAL_INLINE { sum = sum * s2 + T(series.coefficient[series.terms - 1 - k]); });
   const T tail = s * (s2 * sum);
   constexpr long double half_pi = static_cast<long double>(static_cast<lane_t<T>>(kPi / 2));
   const T large = (T(half_pi) - (s + s)) - (tail + tail - T(kPi / 2 - half_pi));

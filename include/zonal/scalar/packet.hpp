@@ -57,9 +57,8 @@ struct Packet {
   Packet() = default;
   template <class C, class = std::enable_if_t<std::is_arithmetic_v<C>>>
   ZONAL_INLINE explicit Packet(C constant)
-      : lanes(Registers::map([constant] {
-          return Eigen::internal::pset1<typename Registers::Register>(static_cast<T>(constant));
-        })) {}
+      : lanes(Registers::map(
+            [constant] { return Eigen::internal::pset1<typename Registers::Register>(static_cast<T>(constant)); })) {}
   ZONAL_INLINE explicit Packet(const Registers& registers) : lanes(registers) {}
 
   /// W consecutive values; `values` may have any alignment.
@@ -115,61 +114,57 @@ struct Packet {
   }
 
   ZONAL_INLINE friend Packet operator-(const Packet& a) {
-    return Packet(Registers::map(
-        [](const auto& x) ZONAL_INLINE { return Eigen::internal::pnegate(x); }, a.lanes));
+    return Packet(Registers::map([](const auto& x) ZONAL_INLINE { return Eigen::internal::pnegate(x); }, a.lanes));
   }
   ZONAL_INLINE friend Packet operator+(const Packet& a, const Packet& b) {
-    return Packet(Registers::map(
-        [](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::padd(x, y); }, a.lanes, b.lanes));
+    return Packet(Registers::map([](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::padd(x, y); },
+                                 a.lanes, b.lanes));
   }
   ZONAL_INLINE friend Packet operator-(const Packet& a, const Packet& b) {
-    return Packet(Registers::map(
-        [](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::psub(x, y); }, a.lanes, b.lanes));
+    return Packet(Registers::map([](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::psub(x, y); },
+                                 a.lanes, b.lanes));
   }
   ZONAL_INLINE friend Packet operator*(const Packet& a, const Packet& b) {
-    return Packet(Registers::map(
-        [](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pmul(x, y); }, a.lanes, b.lanes));
+    return Packet(Registers::map([](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pmul(x, y); },
+                                 a.lanes, b.lanes));
   }
   ZONAL_INLINE friend Packet operator/(const Packet& a, const Packet& b) {
-    return Packet(Registers::map(
-        [](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pdiv(x, y); }, a.lanes, b.lanes));
+    return Packet(Registers::map([](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pdiv(x, y); },
+                                 a.lanes, b.lanes));
   }
   ZONAL_INLINE friend Packet min(const Packet& a, const Packet& b) {
-    return Packet(Registers::map(
-        [](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pmin(x, y); }, a.lanes, b.lanes));
+    return Packet(Registers::map([](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pmin(x, y); },
+                                 a.lanes, b.lanes));
   }
   ZONAL_INLINE friend Packet max(const Packet& a, const Packet& b) {
-    return Packet(Registers::map(
-        [](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pmax(x, y); }, a.lanes, b.lanes));
+    return Packet(Registers::map([](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pmax(x, y); },
+                                 a.lanes, b.lanes));
   }
   ZONAL_INLINE friend Packet abs(const Packet& a) {
-    return Packet(Registers::map(
-        [](const auto& x) ZONAL_INLINE { return Eigen::internal::pabs(x); }, a.lanes));
+    return Packet(Registers::map([](const auto& x) ZONAL_INLINE { return Eigen::internal::pabs(x); }, a.lanes));
   }
   ZONAL_INLINE friend Packet sqrt(const Packet& a) {
-    return Packet(Registers::map(
-        [](const auto& x) ZONAL_INLINE { return Eigen::internal::psqrt(x); }, a.lanes));
+    return Packet(Registers::map([](const auto& x) ZONAL_INLINE { return Eigen::internal::psqrt(x); }, a.lanes));
   }
   ZONAL_INLINE friend Packet exp(const Packet& a) {
-    return Packet(Registers::map(
-        [](const auto& x) ZONAL_INLINE { return Eigen::internal::pexp(x); }, a.lanes));
+    return Packet(Registers::map([](const auto& x) ZONAL_INLINE { return Eigen::internal::pexp(x); }, a.lanes));
   }
 
   ZONAL_INLINE friend Mask operator<(const Packet& a, const Packet& b) {
-    return {Registers::map(
-        [](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pcmp_lt(x, y); }, a.lanes, b.lanes)};
+    return {Registers::map([](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pcmp_lt(x, y); },
+                           a.lanes, b.lanes)};
   }
   ZONAL_INLINE friend Mask operator<=(const Packet& a, const Packet& b) {
-    return {Registers::map(
-        [](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pcmp_le(x, y); }, a.lanes, b.lanes)};
+    return {Registers::map([](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pcmp_le(x, y); },
+                           a.lanes, b.lanes)};
   }
   ZONAL_INLINE friend Mask operator>(const Packet& a, const Packet& b) { return b < a; }
   ZONAL_INLINE friend Mask operator>=(const Packet& a, const Packet& b) { return b <= a; }
 
   ZONAL_INLINE friend Packet select(const Mask& mask, const Packet& a, const Packet& b) {
-    return Packet(Registers::map(
-        [](const auto& m, const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pselect(m, x, y); },
-        mask.bits, a.lanes, b.lanes));
+    return Packet(Registers::map([](const auto& m, const auto& x, const auto& y)
+                                     ZONAL_INLINE { return Eigen::internal::pselect(m, x, y); },
+                                 mask.bits, a.lanes, b.lanes));
   }
 };
 

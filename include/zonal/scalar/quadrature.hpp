@@ -25,8 +25,7 @@ inline QuadratureRule gauss_legendre(int size) {
   for (std::size_t i = 0; i < (n + 1) / 2; ++i) {
     double x = std::cos(double(kPi) * (double(i) + 0.75) / (double(size) + 0.5));
     double derivative = 1.0;
-    for (int iteration = 0; iteration < 4;
-         ++iteration) {  // quadratic: three suffice from an error of 0.01 / n
+    for (int iteration = 0; iteration < 4; ++iteration) {  // quadratic: three suffice from an error of 0.01 / n
       double previous = 1.0, p = x;
       for (int l = 2; l <= size; ++l) {
         const double next = x * p + double(l - 1) / double(l) * (x * p - previous);

@@ -20,8 +20,21 @@
 namespace zonal {
 
 enum class Operation : std::uint8_t {
-  input, constant, negate, add, subtract, multiply, divide, minimum, maximum, absolute, square_root, exponential,
-  less, less_equal, select,
+  input,
+  constant,
+  negate,
+  add,
+  subtract,
+  multiply,
+  divide,
+  minimum,
+  maximum,
+  absolute,
+  square_root,
+  exponential,
+  less,
+  less_equal,
+  select,
 };
 
 class Recording;

@@ -18,9 +18,8 @@ constexpr Sh<N, A> convolve(Sh<N, A> f, const Zh<N, T>& kernel) {
 /// The same of a zonal function; the result is zonal about the same axis.
 template <int N, class A, class T>
 constexpr Zh<N, A> convolve(Zh<N, A> f, const Zh<N, T>& kernel) {
-  unroll<0, N>([&](auto l) ZONAL_INLINE {
-    f.values[l] = f.values[l] * (T(detail::zonal_to_degree(l)) * kernel.values[l]);
-  });
+  unroll<0, N>([&](auto l)
+                   ZONAL_INLINE { f.values[l] = f.values[l] * (T(detail::zonal_to_degree(l)) * kernel.values[l]); });
   return f;
 }
 

@@ -17,7 +17,7 @@ int main() {
   const float expected = (1.0f - std::sqrt(0.75f)) / 2.0f;
   const float value = zonal::dot(light, basis);
   std::printf("zonal %d.%d.%d: share %g, expected %g, value at the axis %g\n", zonal::version_major,
-              zonal::version_minor, zonal::version_patch, static_cast<double>(share),
-              static_cast<double>(expected), static_cast<double>(value));
+              zonal::version_minor, zonal::version_patch, static_cast<double>(share), static_cast<double>(expected),
+              static_cast<double>(value));
   return std::fabs(share - expected) < 1e-6f && value > 0.0f ? 0 : 1;
 }

@@ -1,8 +1,8 @@
 // zonal: spherical harmonics for renderers.
 //
 // This header is the part that needs the standard library alone: the basis, zonal lobes, and what is done to them.
-// The rooms that speak GLM or Eigen are included by their own headers: zonal/scalar/packet.hpp, zonal/material/...,
-// zonal/gather/...
+// The rooms that speak GLM or Eigen are included by their own headers: zonal/scalar/packet.hpp, zonal/light/...,
+// zonal/material/..., zonal/gather/..., zonal/grid/...
 //
 // Conventions, everywhere in this library
 //
@@ -18,6 +18,7 @@
 
 #include "basis/bands.hpp"
 #include "basis/evaluate.hpp"
+#include "basis/gradient.hpp"
 #include "basis/sh.hpp"
 #include "lobe/cap.hpp"
 #include "lobe/lambert.hpp"

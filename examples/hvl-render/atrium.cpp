@@ -22,9 +22,7 @@ constexpr float arcade_height = 5.0f;
 constexpr float apse_radius = 2.0f;
 constexpr float apse_spring = 2.9f;  // height where its half dome begins
 
-float column_z(int i) {
-  return front - column_spacing * static_cast<float>(i);
-}
+float column_z(int i) { return front - column_spacing * static_cast<float>(i); }
 
 /// A flat wall with a round-headed opening in its middle.
 struct ArchedWall {
@@ -76,8 +74,8 @@ void add_soffit(MeshBuilder& builder, const ArchedWall& wall, const glm::vec3& d
 void add_column(MeshBuilder& builder, const glm::vec3& foot) {
   constexpr float top = column_height;
   builder.box(foot + glm::vec3(-0.40f, 0.0f, -0.40f), foot + glm::vec3(0.40f, 0.16f, 0.40f));
-  const auto base = smooth_run(
-      {{0.38f, 0.16f}, {0.40f, 0.22f}, {0.38f, 0.28f}, {0.32f, 0.31f}, {0.33f, 0.36f}, {0.29f, 0.42f}}, 4);
+  const auto base =
+      smooth_run({{0.38f, 0.16f}, {0.40f, 0.22f}, {0.38f, 0.28f}, {0.32f, 0.31f}, {0.33f, 0.36f}, {0.29f, 0.42f}}, 4);
   const auto shaft = smooth_run({{0.285f, 0.42f}, {0.28f, 1.2f}, {0.26f, 2.1f}, {0.235f, top - 0.55f}}, 4);
   const auto ring = smooth_run({{0.27f, top - 0.55f}, {0.28f, top - 0.515f}, {0.27f, top - 0.48f}}, 4);
   const auto bell =
@@ -93,8 +91,7 @@ void add_arcade(MeshBuilder& builder, float side) {
   for (int i = 0; i < columns_per_row; ++i) add_column(builder, {x, 0.0f, column_z(i)});
   for (int i = 0; i + 1 < columns_per_row; ++i) {
     const glm::vec3 foot(x - half_thickness, 0.0f, column_z(i));
-    ArchedWall wall{foot,          {0.0f, 0.0f, -1.0f}, column_spacing, column_height,
-                    column_height, arcade_height,       1.08f};
+    ArchedWall wall{foot, {0.0f, 0.0f, -1.0f}, column_spacing, column_height, column_height, arcade_height, 1.08f};
     add_soffit(builder, wall, {2.0f * half_thickness, 0.0f, 0.0f});
     add_arched_wall(builder, wall);
     wall.left_foot.x = x + half_thickness;
@@ -113,8 +110,7 @@ void add_floor(MeshBuilder& builder, std::uint32_t light_tile, std::uint32_t dar
       const float x = -half_width + size.x * static_cast<float>(i);
       const float z = back + size.y * static_cast<float>(j);
       builder.use((i + j) % 2 == 0 ? light_tile : dark_tile);
-      builder.quad({x, 0.0f, z}, {x, 0.0f, z + size.y}, {x + size.x, 0.0f, z + size.y},
-                   {x + size.x, 0.0f, z});
+      builder.quad({x, 0.0f, z}, {x, 0.0f, z + size.y}, {x + size.x, 0.0f, z + size.y}, {x + size.x, 0.0f, z});
     }
   }
 }
@@ -131,13 +127,9 @@ void add_ceiling(MeshBuilder& builder) {
 /// The end wall, and behind its arch a half cylinder under a quarter sphere.
 void add_apse(MeshBuilder& builder, std::uint32_t wall_material, std::uint32_t niche_material) {
   builder.use(wall_material);
-  add_arched_wall(builder, {{-half_width, 0.0f, back},
-                            {1.0f, 0.0f, 0.0f},
-                            2.0f * half_width,
-                            0.0f,
-                            apse_spring,
-                            ceiling,
-                            apse_radius});
+  add_arched_wall(
+      builder,
+      {{-half_width, 0.0f, back}, {1.0f, 0.0f, 0.0f}, 2.0f * half_width, 0.0f, apse_spring, ceiling, apse_radius});
   const auto arc = [](float u) {
     const float angle = glm::pi<float>() * u;
     return glm::vec3(-std::cos(angle), 0.0f, -std::sin(angle));
@@ -161,8 +153,7 @@ void add_pedestal(MeshBuilder& builder, const glm::vec3& foot, float radius, flo
       foot,
       {smooth_run({{radius * 1.25f, 0.0f}, {radius * 1.28f, 0.06f}, {radius * 1.15f, 0.12f}}, 4),
        {{radius * 1.05f, 0.12f}, {radius, height - 0.12f}},
-       smooth_run(
-           {{radius * 1.1f, height - 0.12f}, {radius * 1.24f, height - 0.06f}, {radius * 1.2f, height}}, 4),
+       smooth_run({{radius * 1.1f, height - 0.12f}, {radius * 1.24f, height - 0.06f}, {radius * 1.2f, height}}, 4),
        {{radius * 1.2f, height}, {0.0f, height}}},
       64);
 }
@@ -203,9 +194,7 @@ class Palette {
  public:
   explicit Palette(Scene& scene) : scene_(scene) {}
 
-  std::uint32_t matte(const char* name, const glm::vec3& albedo) {
-    return add(name, {zonal::LambertBrdf{albedo}});
-  }
+  std::uint32_t matte(const char* name, const glm::vec3& albedo) { return add(name, {zonal::LambertBrdf{albedo}}); }
 
   /// A diffuse body under a coat of refractive index 1.5.
   std::uint32_t coated(const char* name, const glm::vec3& albedo, float roughness) {

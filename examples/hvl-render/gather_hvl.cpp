@@ -10,8 +10,7 @@ extern template std::unique_ptr<Gatherer> make_gatherer_with<zonal::Horizon::smo
 extern template std::unique_ptr<Gatherer> make_gatherer_with<zonal::Horizon::exact>(
     const std::vector<zonal::VirtualLight>& lights, int bands, int emission_bands);
 
-std::unique_ptr<Gatherer> make_gatherer(const std::vector<zonal::VirtualLight>& lights,
-                                        const Options& options) {
+std::unique_ptr<Gatherer> make_gatherer(const std::vector<zonal::VirtualLight>& lights, const Options& options) {
   const auto make = options.horizon == HorizonRule::exact ? make_gatherer_with<zonal::Horizon::exact>
                                                           : make_gatherer_with<zonal::Horizon::smoothstep>;
   std::unique_ptr<Gatherer> gatherer = make(lights, options.bands, options.emission_bands);
@@ -19,12 +18,8 @@ std::unique_ptr<Gatherer> make_gatherer(const std::vector<zonal::VirtualLight>& 
   return gatherer;
 }
 
-std::vector<int> gather_bands() {
-  return {compiled_bands.begin(), compiled_bands.end()};
-}
+std::vector<int> gather_bands() { return {compiled_bands.begin(), compiled_bands.end()}; }
 
-std::vector<int> emission_bands() {
-  return {compiled_emission_bands.begin(), compiled_emission_bands.end()};
-}
+std::vector<int> emission_bands() { return {compiled_emission_bands.begin(), compiled_emission_bands.end()}; }
 
 }  // namespace hvl_render

@@ -26,8 +26,7 @@ class Gatherer {
 };
 
 /// Throws InputError for numbers of bands that are not compiled in.
-std::unique_ptr<Gatherer> make_gatherer(const std::vector<zonal::VirtualLight>& lights,
-                                        const Options& options);
+std::unique_ptr<Gatherer> make_gatherer(const std::vector<zonal::VirtualLight>& lights, const Options& options);
 
 /// The numbers of bands that are compiled in: each costs compile time.
 std::vector<int> gather_bands();

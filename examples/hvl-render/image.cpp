@@ -9,9 +9,7 @@ namespace hvl_render {
 namespace {
 
 /// Narkowicz's fit of the ACES film curve.
-glm::vec3 filmic(const glm::vec3& x) {
-  return x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f);
-}
+glm::vec3 filmic(const glm::vec3& x) { return x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f); }
 
 float srgb(float linear) {
   return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
@@ -59,8 +57,7 @@ struct Plane {
 
 template <class Value>
 Plane make_plane(int width, int height, Value&& value) {
-  Plane plane{width, height,
-              std::vector<double>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
+  Plane plane{width, height, std::vector<double>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
   for (std::size_t i = 0; i < plane.values.size(); ++i) plane.values[i] = value(i);
   return plane;
 }
@@ -94,8 +91,7 @@ glm::vec3 encode(const glm::vec3& radiance, const Display& display) {
 
 Image encode(const Image& radiance, const Display& display) {
   Image encoded(radiance.width, radiance.height);
-  for (std::size_t i = 0; i < radiance.pixels.size(); ++i)
-    encoded.pixels[i] = encode(radiance.pixels[i], display);
+  for (std::size_t i = 0; i < radiance.pixels.size(); ++i) encoded.pixels[i] = encode(radiance.pixels[i], display);
   return encoded;
 }
 
@@ -110,8 +106,7 @@ std::size_t blacken_non_finite(Image& image) {
 }
 
 double structural_similarity(const Image& encoded, const Image& encoded_reference) {
-  if (encoded.width < window_size || encoded.height < window_size)
-    return std::numeric_limits<double>::quiet_NaN();
+  if (encoded.width < window_size || encoded.height < window_size) return std::numeric_limits<double>::quiet_NaN();
   const int width = encoded.width;
   const int height = encoded.height;
   const auto a = [&](std::size_t i) { return luma(encoded.pixels[i]); };
@@ -152,8 +147,7 @@ Image difference_map(const Image& image, const Image& reference, const Display& 
   const glm::vec3 darker(0.09f, 0.24f, 0.70f);
   Image map(image.width, image.height);
   for (std::size_t i = 0; i < map.pixels.size(); ++i) {
-    const double difference =
-        luma(encode(image.pixels[i], display)) - luma(encode(reference.pixels[i], display));
+    const double difference = luma(encode(image.pixels[i], display)) - luma(encode(reference.pixels[i], display));
     const float share = std::min(1.0f, static_cast<float>(std::abs(difference)) / difference_full_scale);
     map.pixels[i] = glm::mix(zero, difference > 0.0 ? brighter : darker, share);
   }

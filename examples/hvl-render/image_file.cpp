@@ -45,16 +45,15 @@ std::string png_bytes(const Image& encoded) {
   samples.reserve(encoded.pixels.size() * 3);
   for (const glm::vec3& pixel : encoded.pixels) {
     for (int channel = 0; channel < 3; ++channel) {
-      samples.push_back(
-          static_cast<std::uint8_t>(std::lround(255.0f * glm::clamp(pixel[channel], 0.0f, 1.0f))));
+      samples.push_back(static_cast<std::uint8_t>(std::lround(255.0f * glm::clamp(pixel[channel], 0.0f, 1.0f))));
     }
   }
   std::string bytes;
   const auto append = [](void* target, void* data, int size) {
     static_cast<std::string*>(target)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
   };
-  if (stbi_write_png_to_func(append, &bytes, encoded.width, encoded.height, 3, samples.data(),
-                             encoded.width * 3) == 0) {
+  if (stbi_write_png_to_func(append, &bytes, encoded.width, encoded.height, 3, samples.data(), encoded.width * 3) ==
+      0) {
     throw std::runtime_error("cannot encode a PNG file");
   }
   return bytes;

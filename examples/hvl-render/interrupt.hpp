@@ -14,13 +14,9 @@ static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may only 
 }  // namespace interrupt_detail
 
 /// The signal that asked for a stop; zero as long as none has.
-inline int stop_signal() {
-  return interrupt_detail::signal.load(std::memory_order_relaxed);
-}
+inline int stop_signal() { return interrupt_detail::signal.load(std::memory_order_relaxed); }
 
-inline bool stop_requested() {
-  return stop_signal() != 0;
-}
+inline bool stop_requested() { return stop_signal() != 0; }
 
 inline void throw_if_interrupted() {
   if (stop_requested()) throw Interrupted{};

@@ -31,9 +31,7 @@ constexpr int exit_by_signal = 128;  // and the signal's number, as of a shell
 
 std::optional<Image> load_reference(const Options& options) {
   if (options.reference.empty()) return std::nullopt;
-  const auto size = [](int width, int height) {
-    return std::to_string(width) + "x" + std::to_string(height);
-  };
+  const auto size = [](int width, int height) { return std::to_string(width) + "x" + std::to_string(height); };
   Image reference = read_exr(options.reference);
   if (reference.width != options.width || reference.height != options.height) {
     throw InputError(options.reference + ": is " + size(reference.width, reference.height) + ", not " +
@@ -53,13 +51,12 @@ struct Renderers {
 
 void prepare_lights(Renderers& renderers, Report& report) {
   const Options& options = report.options;
-  renderers.tables = report.times.time(stage_name::materials,
-                                       [&] { return project_materials(renderers.scene.materials, options); });
+  renderers.tables =
+      report.times.time(stage_name::materials, [&] { return project_materials(renderers.scene.materials, options); });
   report.material_error = renderers.tables.error;
   throw_if_interrupted();
   report.times.time(stage_name::lights, [&] {
-    const auto lights =
-        shoot_virtual_lights(renderers.scene, renderers.caster, renderers.tables.emitting, options);
+    const auto lights = shoot_virtual_lights(renderers.scene, renderers.caster, renderers.tables.emitting, options);
     const auto side = static_cast<std::size_t>(map_side(options.lights));
     report.counts.map_lights = side * side;
     report.counts.virtual_lights = lights.size();
@@ -119,8 +116,8 @@ class SliceRenderer {
 
   PrimaryHits trace_primary_rays(Slice slice, const Image& image) {
     return report_.times.time(stage_name::primary, [&] {
-      return trace_primary(renderers_.caster, renderers_.scene.camera, image, slice,
-                           report_.options.antialias, stage(stage_name::primary, costs_.primary));
+      return trace_primary(renderers_.caster, renderers_.scene.camera, image, slice, report_.options.antialias,
+                           stage(stage_name::primary, costs_.primary));
     });
   }
 
@@ -128,9 +125,8 @@ class SliceRenderer {
     const auto radiance = [&](const Hit& hit, std::size_t) {
       return direct_radiance(renderers_.scene, renderers_.caster, hit, towards_camera(renderers_.scene, hit));
     };
-    report_.times.time(stage_name::direct, [&] {
-      add_radiance(image, hits, stage(stage_name::direct, costs_.direct), radiance);
-    });
+    report_.times.time(stage_name::direct,
+                       [&] { add_radiance(image, hits, stage(stage_name::direct, costs_.direct), radiance); });
   }
 
   void share_direct_light(const PrimaryHits& hits) {
@@ -144,18 +140,16 @@ class SliceRenderer {
       return renderers_.gatherer->indirect_radiance(hit, towards_camera(renderers_.scene, hit),
                                                     renderers_.tables.receiving[hit.material]);
     };
-    report_.times.time(stage_name::gather, [&] {
-      add_radiance(pictures_.hvl, hits, stage(stage_name::gather, costs_.gather), radiance);
-    });
+    report_.times.time(stage_name::gather,
+                       [&] { add_radiance(pictures_.hvl, hits, stage(stage_name::gather, costs_.gather), radiance); });
   }
 
   void trace_paths(const PrimaryHits& hits) {
     const auto radiance = [&](const Hit& hit, std::size_t sample) {
       return renderers_.paths->indirect_radiance(hit, sample);
     };
-    report_.times.time(stage_name::paths, [&] {
-      add_radiance(pictures_.path, hits, stage(stage_name::paths, costs_.paths), radiance);
-    });
+    report_.times.time(stage_name::paths,
+                       [&] { add_radiance(pictures_.path, hits, stage(stage_name::paths, costs_.paths), radiance); });
   }
 
   const Renderers& renderers_;
@@ -173,8 +167,7 @@ Pictures render(const Renderers& renderers, Report& report) {
   const int rows_per_slice = std::max(1, samples_per_slice / samples_per_row);
   const Image blank(options.width, options.height);
   Pictures pictures{renderers.gatherer ? blank : Image(), renderers.paths ? blank : Image()};
-  report.counts.primary_samples =
-      static_cast<std::size_t>(samples_per_row) * static_cast<std::size_t>(options.height);
+  report.counts.primary_samples = static_cast<std::size_t>(samples_per_row) * static_cast<std::size_t>(options.height);
 
   Progress progress(!options.quiet);
   progress.expect(Costs(options, report.counts).sum() * static_cast<double>(report.counts.primary_samples));
@@ -205,8 +198,7 @@ void run(const Options& options) {
   const Scene scene = report.times.time(stage_name::scene, [&] { return load_scene(options); });
   const Outputs outputs(options);
 
-  const auto caster =
-      report.times.time(stage_name::scene, [&] { return std::make_unique<RayCaster>(scene); });
+  const auto caster = report.times.time(stage_name::scene, [&] { return std::make_unique<RayCaster>(scene); });
   report.counts.triangles = scene.mesh.triangles.size();
   report.counts.materials = scene.materials.size();
   Renderers renderers{scene, *caster, MaterialTables(), nullptr, std::nullopt};
@@ -245,6 +237,4 @@ int run_main(int argc, char** argv) {
 }  // namespace
 }  // namespace hvl_render
 
-int main(int argc, char** argv) {
-  return hvl_render::run_main(argc, argv);
-}
+int main(int argc, char** argv) { return hvl_render::run_main(argc, argv); }

@@ -68,8 +68,7 @@ void MeshBuilder::surface(const Grid& grid, const Surface& position) {
   smooth_normals(mesh_, first, first_triangle);
 }
 
-void MeshBuilder::lathe(const glm::vec3& base, const std::vector<std::vector<glm::vec2>>& runs,
-                        int segments) {
+void MeshBuilder::lathe(const glm::vec3& base, const std::vector<std::vector<glm::vec2>>& runs, int segments) {
   for (const std::vector<glm::vec2>& run : runs) {
     const int pieces = static_cast<int>(run.size()) - 1;
     surface({segments, pieces, true, false}, [&](float u, float v) {
@@ -127,8 +126,7 @@ void smooth_normals(Mesh& mesh, std::size_t first_vertex, std::size_t first_tria
   for (std::size_t t = first_triangle; t < mesh.triangles.size(); ++t) {
     const glm::uvec3 triangle = mesh.triangles[t];
     const glm::vec3 origin = mesh.positions[triangle.x];
-    const glm::vec3 area =
-        glm::cross(mesh.positions[triangle.y] - origin, mesh.positions[triangle.z] - origin);
+    const glm::vec3 area = glm::cross(mesh.positions[triangle.y] - origin, mesh.positions[triangle.z] - origin);
     for (int corner = 0; corner < 3; ++corner) mesh.normals[triangle[corner]] += area;
   }
   for (std::size_t v = first_vertex; v < mesh.normals.size(); ++v) {

@@ -21,23 +21,19 @@ constexpr float least_roughness = 0.03f;
 // Without normals, faces that meet at less than 60 degrees are one smooth surface.
 constexpr float cos_crease = 0.5f;
 
-std::string first_line(const std::string& text) {
-  return text.substr(0, text.find('\n'));
-}
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 /// GGX alpha: the PBR extension's perceptual roughness squared, or what has the width of a Phong exponent.
 float ggx_roughness(const tinyobj::material_t& source) {
-  const float roughness = source.roughness > 0.0f
-                              ? source.roughness * source.roughness
-                              : std::sqrt(2.0f / (std::max(source.shininess, 0.0f) + 2.0f));
+  const float roughness = source.roughness > 0.0f ? source.roughness * source.roughness
+                                                  : std::sqrt(2.0f / (std::max(source.shininess, 0.0f) + 2.0f));
   return std::clamp(roughness, least_roughness, 1.0f);
 }
 
 Material make_material(const tinyobj::material_t& source) {
   const glm::vec3 specular =
       glm::clamp(glm::vec3(source.specular[0], source.specular[1], source.specular[2]), 0.0f, 1.0f);
-  const glm::vec3 given =
-      glm::clamp(glm::vec3(source.diffuse[0], source.diffuse[1], source.diffuse[2]), 0.0f, 1.0f);
+  const glm::vec3 given = glm::clamp(glm::vec3(source.diffuse[0], source.diffuse[1], source.diffuse[2]), 0.0f, 1.0f);
   // Many files reflect more than they receive.
   const glm::vec3 diffuse = glm::min(given, 1.0f - specular);
   Material material{source.name, {}};
@@ -48,9 +44,7 @@ Material make_material(const tinyobj::material_t& source) {
   return material;
 }
 
-Material matte(const char* name, const glm::vec3& albedo) {
-  return {name, zonal::Brdf{{zonal::LambertBrdf{albedo}}}};
-}
+Material matte(const char* name, const glm::vec3& albedo) { return {name, zonal::Brdf{{zonal::LambertBrdf{albedo}}}}; }
 
 /// Copies triangles out of tinyobjloader, each pair of position and normal once.
 class ObjMesh {
@@ -58,8 +52,7 @@ class ObjMesh {
   ObjMesh(const tinyobj::ObjReader& source, Mesh& mesh)
       : source_(source.GetAttrib()), mesh_(mesh), areas_at_(source_.vertices.size() / 3) {
     for_each_face(source, [this](const tinyobj::index_t* corners, int) {
-      for (int i = 0; i < 3; ++i)
-        areas_at_[static_cast<std::size_t>(corners[i].vertex_index)].push_back(area(corners));
+      for (int i = 0; i < 3; ++i) areas_at_[static_cast<std::size_t>(corners[i].vertex_index)].push_back(area(corners));
     });
   }
 
@@ -68,12 +61,10 @@ class ObjMesh {
       glm::uvec3 triangle{};
       for (int i = 0; i < 3; ++i) {
         const std::optional<glm::vec3> given = normal(corners[i]);
-        triangle[i] =
-            vertex(position(corners[i]), given ? *given : creased_normal(corners[i], area(corners)));
+        triangle[i] = vertex(position(corners[i]), given ? *given : creased_normal(corners[i], area(corners)));
       }
       mesh_.triangles.push_back(triangle);
-      mesh_.triangle_materials.push_back(material < 0 ? default_material
-                                                      : static_cast<std::uint32_t>(material));
+      mesh_.triangle_materials.push_back(material < 0 ? default_material : static_cast<std::uint32_t>(material));
     });
   }
 
@@ -124,8 +115,7 @@ class ObjMesh {
 
   std::uint32_t vertex(const glm::vec3& point, const glm::vec3& normal) {
     const auto key = std::make_tuple(point.x, point.y, point.z, normal.x, normal.y, normal.z);
-    const auto [entry, added] =
-        vertices_.try_emplace(key, static_cast<std::uint32_t>(mesh_.positions.size()));
+    const auto [entry, added] = vertices_.try_emplace(key, static_cast<std::uint32_t>(mesh_.positions.size()));
     if (added) {
       mesh_.positions.push_back(point);
       mesh_.normals.push_back(normal);
@@ -167,8 +157,7 @@ void add_stage(Scene& scene, const Bounds& bounds) {
   const float front = bounds.upper.z + size;
   const float left = bounds.lower.x - size;
   MeshBuilder builder(scene.mesh);
-  builder.use(floor).quad({left, ground, front}, {side, ground, front}, {side, ground, back},
-                          {left, ground, back});
+  builder.use(floor).quad({left, ground, front}, {side, ground, front}, {side, ground, back}, {left, ground, back});
   builder.use(floor + 1).quad({left, ground, back}, {side, ground, back}, {side, ground + size, back},
                               {left, ground + size, back});
   builder.use(floor + 2).quad({side, ground, back}, {side, ground, front}, {side, ground + size, front},
@@ -214,8 +203,7 @@ Scene load_obj(const std::string& path, bool stage) {
   const tinyobj::ObjReader reader = read_obj(path);
   Scene scene;
   scene.name = std::filesystem::path(path).filename().string();
-  for (const tinyobj::material_t& source : reader.GetMaterials())
-    scene.materials.push_back(make_material(source));
+  for (const tinyobj::material_t& source : reader.GetMaterials()) scene.materials.push_back(make_material(source));
   const auto default_material = static_cast<std::uint32_t>(scene.materials.size());
   scene.materials.push_back(matte("default", glm::vec3(0.7f)));
   try {

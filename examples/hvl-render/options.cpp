@@ -111,9 +111,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, const Names<Valu
     if (found == names.end()) throw CLI::ValidationError(name, "'" + given + "' is not one of " + text);
     chosen = found->second;
   };
-  return app.add_option_function<std::string>(name, assign, help)
-      ->type_name(text)
-      ->default_str(name_of(names, chosen));
+  return app.add_option_function<std::string>(name, assign, help)->type_name(text)->default_str(name_of(names, chosen));
 }
 
 /// A number with a default, within bounds; `range` is how they read.
@@ -134,8 +132,7 @@ CLI::Option* add_point(CLI::App& app, const std::string& name, std::optional<glm
     std::size_t start = 0;
     for (int axis = 0; axis < 3; ++axis) {
       const std::size_t end = axis < 2 ? text.find(',', start) : text.size();
-      const bool number =
-          end != std::string::npos && parse_number(text.substr(start, end - start), parsed[axis]);
+      const bool number = end != std::string::npos && parse_number(text.substr(start, end - start), parsed[axis]);
       if (!number || !std::isfinite(parsed[axis]))
         throw CLI::ValidationError(name, "'" + text + "' is not a point x,y,z");
       start = end + 1;
@@ -195,18 +192,15 @@ void add_scene_options(CLI::App& app, Options& options) {
       ->capture_default_str()
       ->group(group);
   app.add_flag_callback(
-         "--no-stage", [&options] { options.stage = false; },
-         "Show an OBJ alone, not on a floor before two walls")
+         "--no-stage", [&options] { options.stage = false; }, "Show an OBJ alone, not on a floor before two walls")
       ->group(group);
   ViewOverrides& view = options.view;
   add_point(app, "--camera", view.camera_position, "Where the camera is, in metres; y is up")->group(group);
   add_point(app, "--target", view.camera_target, "What it looks at")->group(group);
-  add_angle(app, "--fov", 170.0f, 1.0f, view.vertical_field_of_view, "Its vertical field of view")
-      ->group(group);
+  add_angle(app, "--fov", 170.0f, 1.0f, view.vertical_field_of_view, "Its vertical field of view")->group(group);
   add_point(app, "--light", view.light_position, "Where the spotlight is")->group(group);
   add_point(app, "--light-target", view.light_target, "What it points at")->group(group);
-  add_angle(app, "--light-angle", 178.0f, 0.5f, view.light_half_angle, "Full angle of its cone")
-      ->group(group);
+  add_angle(app, "--light-angle", 178.0f, 0.5f, view.light_half_angle, "Full angle of its cone")->group(group);
   app.add_option_function<float>(
          "--light-power", [&view](const float& watts) { view.light_power = watts; },
          "What it sends into the cone, per colour channel; makes it white")
@@ -222,8 +216,7 @@ void add_image_options(CLI::App& app, Options& options, std::string& size) {
       ->check(image_size())
       ->capture_default_str()
       ->group(group);
-  add_number(app, "--antialias", options.antialias, 1, 16, "1...16", "A: A x A positions in each pixel")
-      ->group(group);
+  add_number(app, "--antialias", options.antialias, 1, 16, "1...16", "A: A x A positions in each pixel")->group(group);
   add_number(app, "--exposure", options.display.exposure_stops, -30.0f, 30.0f, "-30...30",
              "Stops brighter, in PNG files and for the errors")
       ->group(group);
@@ -241,8 +234,7 @@ void add_hvl_options(CLI::App& app, Options& options, std::string& radius) {
       ->check(one_of(gather_bands()))
       ->capture_default_str()
       ->group(group);
-  app.add_option("--emission-bands", options.emission_bands,
-                 "Bands of the light that a virtual light sends out")
+  app.add_option("--emission-bands", options.emission_bands, "Bands of the light that a virtual light sends out")
       ->type_name(joined(emission_bands()))
       ->check(one_of(emission_bands()))
       ->capture_default_str()
@@ -253,13 +245,10 @@ void add_hvl_options(CLI::App& app, Options& options, std::string& radius) {
       ->check(radius_rule())
       ->capture_default_str()
       ->group(group);
-  add_number(app, "--radius-factor", options.radius_factor, 0.01f, 100.0f, "0.01...100",
-             "Multiplies r1 and r2")
+  add_number(app, "--radius-factor", options.radius_factor, 0.01f, 100.0f, "0.01...100", "Multiplies r1 and r2")
       ->group(group);
-  add_choice(app, "--horizon", horizon_names, options.horizon, "How the receiver's horizon cuts a light")
-      ->group(group);
-  add_choice(app, "--window", window_names, options.window, "What tames the ringing of the materials")
-      ->group(group);
+  add_choice(app, "--horizon", horizon_names, options.horizon, "How the receiver's horizon cuts a light")->group(group);
+  add_choice(app, "--window", window_names, options.window, "What tames the ringing of the materials")->group(group);
 }
 
 void add_path_options(CLI::App& app, Options& options) {
@@ -267,8 +256,7 @@ void add_path_options(CLI::App& app, Options& options) {
   add_number(app, "--spp", options.samples_per_pixel, 1, 1000000, "1...1000000",
              "Paths per pixel; rounded up to as many at each antialiasing position")
       ->group(group);
-  add_number(app, "--bounces", options.bounces, 1, 64, "1...64",
-             "Indirect bounces; virtual lights always have one")
+  add_number(app, "--bounces", options.bounces, 1, 64, "1...64", "Indirect bounces; virtual lights always have one")
       ->group(group);
   add_number(app, "--seed", options.seed, std::uint64_t{0}, ~std::uint64_t{0}, "0...2^64-1",
              "Another seed, another noise")
@@ -300,8 +288,8 @@ std::string message(const CLI::ParseError& error) {
 }
 
 std::string version() {
-  return "hvl-render " + std::to_string(zonal::version_major) + "." + std::to_string(zonal::version_minor) +
-         "." + std::to_string(zonal::version_patch);
+  return "hvl-render " + std::to_string(zonal::version_major) + "." + std::to_string(zonal::version_minor) + "." +
+         std::to_string(zonal::version_patch);
 }
 
 }  // namespace

@@ -38,8 +38,7 @@ Scattered scatter_towards(const zonal::Brdf& brdf, const glm::vec3& normal, cons
 
 }  // namespace
 
-PathTracer::PathTracer(const Scene& scene, const RayCaster& caster, const PathSettings& settings,
-                       int antialias)
+PathTracer::PathTracer(const Scene& scene, const RayCaster& caster, const PathSettings& settings, int antialias)
     : scene_(scene),
       caster_(caster),
       settings_(settings),
@@ -60,8 +59,8 @@ float PathTracer::spotlight_density(const Hit& from, const Hit& lit) const {
   return per_area * squared_distance / cosine;
 }
 
-glm::vec3 PathTracer::path_by_material(const Hit& start, const glm::vec3& to_camera, Pcg32& random,
-                                       float u_lobe, const glm::vec2& u) const {
+glm::vec3 PathTracer::path_by_material(const Hit& start, const glm::vec3& to_camera, Pcg32& random, float u_lobe,
+                                       const glm::vec2& u) const {
   Hit at = start;
   Scattered scattered = scatter(scene_.materials[at.material].brdf, at.normal, to_camera, u_lobe, u);
   glm::vec3 throughput(1.0f);
@@ -78,13 +77,11 @@ glm::vec3 PathTracer::path_by_material(const Hit& start, const glm::vec3& to_cam
     throughput *= scattered.reflected / scattered.density;
     at = *next;
     const float next_u_lobe = random.uniform();
-    scattered =
-        scatter(scene_.materials[at.material].brdf, at.normal, outgoing, next_u_lobe, random.uniform2());
+    scattered = scatter(scene_.materials[at.material].brdf, at.normal, outgoing, next_u_lobe, random.uniform2());
   }
 }
 
-glm::vec3 PathTracer::path_by_spotlight(const Hit& start, const glm::vec3& to_camera,
-                                        const glm::vec2& u) const {
+glm::vec3 PathTracer::path_by_spotlight(const Hit& start, const glm::vec3& to_camera, const glm::vec2& u) const {
   const glm::vec3 none(0.0f);
   const std::optional<Hit> lit = caster_.closest(scene_.light.position, cone_direction(scene_.light, u));
   if (!lit) return none;
@@ -107,8 +104,7 @@ glm::vec3 PathTracer::indirect_radiance(const Hit& hit, std::size_t sample) cons
   glm::vec3 sum(0.0f);
   const auto count = static_cast<std::uint32_t>(paths_per_position_);
   for (std::uint32_t path = 0; path < count && !stop_requested(); ++path) {
-    sum +=
-        path_by_material(hit, to_camera, random, material_points.choice(path), material_points.point(path));
+    sum += path_by_material(hit, to_camera, random, material_points.choice(path), material_points.point(path));
     sum += path_by_spotlight(hit, to_camera, spotlight_points.point(path));
   }
   return sum / static_cast<float>(paths_per_position_);

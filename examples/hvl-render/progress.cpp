@@ -57,8 +57,8 @@ void Progress::draw(const char* label, double share, std::chrono::duration<doubl
   const int bar = std::min(40, columns - static_cast<int>(text.size()) - 3);
   if (bar >= 5) {
     const int filled = static_cast<int>(share * bar);
-    const std::string drawn_bar = std::string(static_cast<std::size_t>(filled), '#') +
-                                  std::string(static_cast<std::size_t>(bar - filled), '.');
+    const std::string drawn_bar =
+        std::string(static_cast<std::size_t>(filled), '#') + std::string(static_cast<std::size_t>(bar - filled), '.');
     text = "[" + drawn_bar + "] " + text;
   }
   if (static_cast<int>(text.size()) > columns) text.resize(static_cast<std::size_t>(std::max(0, columns)));

@@ -15,9 +15,7 @@ inline std::uint64_t hash64(std::uint64_t value) {
 }
 
 /// The upper 24 bits as a float in [0, 1), exactly.
-inline float unit_float(std::uint32_t bits) {
-  return static_cast<float>(bits >> 8) * 0x1p-24f;
-}
+inline float unit_float(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24f; }
 
 /// PCG32 (O'Neill 2014). Seeded by what is sampled, not by who samples it: results do not depend on the
 /// number of threads.

@@ -29,8 +29,7 @@ glm::vec3 face_viewer(const glm::vec3& normal, const glm::vec3& to_viewer) {
 }
 
 glm::vec3 interpolated_normal(const Mesh& mesh, const glm::uvec3& triangle, float u, float v) {
-  return (1.0f - u - v) * mesh.normals[triangle.x] + u * mesh.normals[triangle.y] +
-         v * mesh.normals[triangle.z];
+  return (1.0f - u - v) * mesh.normals[triangle.x] + u * mesh.normals[triangle.y] + v * mesh.normals[triangle.z];
 }
 
 Hit make_hit(const Mesh& mesh, const RTCRayHit& found, const glm::vec3& direction) {
@@ -66,11 +65,11 @@ RayCaster::RayCaster(const Scene& scene) : scene_(scene) {
   if (device_ == nullptr) throw std::runtime_error("Embree found no device");
   RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
   // Embree reads 16 bytes at a vertex, so it gets its own padded copy.
-  void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                           sizeof(glm::vec3), mesh.positions.size());
+  void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3),
+                                           mesh.positions.size());
   std::copy(mesh.positions.begin(), mesh.positions.end(), static_cast<glm::vec3*>(vertices));
-  void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                          sizeof(glm::uvec3), mesh.triangles.size());
+  void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(glm::uvec3),
+                                          mesh.triangles.size());
   std::copy(mesh.triangles.begin(), mesh.triangles.end(), static_cast<glm::uvec3*>(indices));
   rtcCommitGeometry(geometry);
 

@@ -12,8 +12,8 @@ std::size_t PrimaryHits::count() const {
       std::count_if(hits_.begin(), hits_.end(), [](const auto& hit) { return hit.has_value(); }));
 }
 
-PrimaryHits trace_primary(const RayCaster& caster, const Camera& camera, const Image& image, Slice slice,
-                          int antialias, const Stage& stage) {
+PrimaryHits trace_primary(const RayCaster& caster, const Camera& camera, const Image& image, Slice slice, int antialias,
+                          const Stage& stage) {
   const CameraRays rays(camera, image.width, image.height);
   const auto width = static_cast<std::size_t>(image.width);
   PrimaryHits hits(image, slice, antialias);
@@ -44,11 +44,9 @@ glm::vec3 unshadowed_radiance(const Scene& scene, const Hit& hit, const glm::vec
          (cosine / squared_distance);
 }
 
-glm::vec3 direct_radiance(const Scene& scene, const RayCaster& caster, const Hit& hit,
-                          const glm::vec3& outgoing) {
+glm::vec3 direct_radiance(const Scene& scene, const RayCaster& caster, const Hit& hit, const glm::vec3& outgoing) {
   const glm::vec3 radiance = unshadowed_radiance(scene, hit, outgoing);
-  return radiance != glm::vec3(0.0f) && caster.visible(hit, scene.light.position) ? radiance
-                                                                                  : glm::vec3(0.0f);
+  return radiance != glm::vec3(0.0f) && caster.visible(hit, scene.light.position) ? radiance : glm::vec3(0.0f);
 }
 
 }  // namespace hvl_render

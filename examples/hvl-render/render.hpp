@@ -33,14 +33,10 @@ class PrimaryHits {
         hits_(pixel_count() * per_pixel_) {}
 
   Slice slice() const { return slice_; }
-  std::size_t pixel_count() const {
-    return static_cast<std::size_t>(slice_.rows) * static_cast<std::size_t>(width_);
-  }
+  std::size_t pixel_count() const { return static_cast<std::size_t>(slice_.rows) * static_cast<std::size_t>(width_); }
   std::size_t per_pixel() const { return per_pixel_; }
 
-  std::span<std::optional<Hit>> of_pixel(std::size_t pixel) {
-    return {&hits_[pixel * per_pixel_], per_pixel_};
-  }
+  std::span<std::optional<Hit>> of_pixel(std::size_t pixel) { return {&hits_[pixel * per_pixel_], per_pixel_}; }
   std::span<const std::optional<Hit>> of_pixel(std::size_t pixel) const {
     return {&hits_[pixel * per_pixel_], per_pixel_};
   }
@@ -66,13 +62,12 @@ struct Stage {
 template <class Body>
 void for_each_pixel(std::size_t pixel_count, const Stage& stage, const Body& body) {
   constexpr std::size_t grain = 64;
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, pixel_count, grain),
-      [&](const tbb::blocked_range<std::size_t>& range) {
-        for (std::size_t pixel = range.begin(); pixel != range.end() && !stop_requested(); ++pixel)
-          body(pixel);
-        stage.progress.advance(stage.label, stage.cost_per_pixel * static_cast<double>(range.size()));
-      });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pixel_count, grain),
+                    [&](const tbb::blocked_range<std::size_t>& range) {
+                      for (std::size_t pixel = range.begin(); pixel != range.end() && !stop_requested(); ++pixel)
+                        body(pixel);
+                      stage.progress.advance(stage.label, stage.cost_per_pixel * static_cast<double>(range.size()));
+                    });
   throw_if_interrupted();
 }
 
@@ -91,14 +86,13 @@ void add_radiance(Image& image, const PrimaryHits& hits, const Stage& stage, con
   });
 }
 
-PrimaryHits trace_primary(const RayCaster& caster, const Camera& camera, const Image& image, Slice slice,
-                          int antialias, const Stage& stage);
+PrimaryHits trace_primary(const RayCaster& caster, const Camera& camera, const Image& image, Slice slice, int antialias,
+                          const Stage& stage);
 
 /// Radiance that leaves `hit` towards the unit direction `outgoing`, by light straight from the spotlight: as
 /// if nothing stood between, or with the shadow ray.
 glm::vec3 unshadowed_radiance(const Scene& scene, const Hit& hit, const glm::vec3& outgoing);
-glm::vec3 direct_radiance(const Scene& scene, const RayCaster& caster, const Hit& hit,
-                          const glm::vec3& outgoing);
+glm::vec3 direct_radiance(const Scene& scene, const RayCaster& caster, const Hit& hit, const glm::vec3& outgoing);
 
 inline glm::vec3 towards_camera(const Scene& scene, const Hit& hit) {
   return glm::normalize(scene.camera.position - hit.position);

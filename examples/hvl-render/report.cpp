@@ -38,14 +38,12 @@ std::string align(const std::vector<Row>& rows) {
 
 /// What one method did; a dash where a line is not its own.
 struct Column {
-  std::string method = "-", samples = "-", bands = "-", scene = "-", materials = "-", lights = "-",
-              primary = "-", direct = "-", indirect = "-", total = "-", rmse = "-", linear_rmse = "-",
-              psnr = "-", ssim = "-", cost = "-";
+  std::string method = "-", samples = "-", bands = "-", scene = "-", materials = "-", lights = "-", primary = "-",
+              direct = "-", indirect = "-", total = "-", rmse = "-", linear_rmse = "-", psnr = "-", ssim = "-",
+              cost = "-";
 };
 
-std::string seconds_text(double seconds) {
-  return format("%.3f", seconds);
-}
+std::string seconds_text(double seconds) { return format("%.3f", seconds); }
 
 /// The stages that both methods have, and the sum with the method's own.
 void add_shared(Column& column, const StageTimes& times, double own_seconds) {
@@ -73,8 +71,7 @@ Column hvl_column(const Report& report) {
   Column column;
   column.method = "hvl";
   column.samples = std::to_string(report.counts.virtual_lights) + " lights";
-  column.bands =
-      std::to_string(report.options.bands) + ", emission " + std::to_string(report.options.emission_bands);
+  column.bands = std::to_string(report.options.bands) + ", emission " + std::to_string(report.options.emission_bands);
   column.materials = seconds_text(materials);
   column.lights = seconds_text(lights);
   column.indirect = seconds_text(gather);
@@ -119,8 +116,7 @@ std::vector<Row> table_rows(const std::vector<Column>& columns) {
   for (const auto& [name, cell] : lines) {
     Row row{name};
     for (const Column& column : columns) row.push_back(column.*cell);
-    const bool says_nothing =
-        std::all_of(row.begin() + 1, row.end(), [](const auto& text) { return text == "-"; });
+    const bool says_nothing = std::all_of(row.begin() + 1, row.end(), [](const auto& text) { return text == "-"; });
     if (!says_nothing) rows.push_back(std::move(row));
   }
   return rows;
@@ -163,8 +159,7 @@ std::string table(const Report& report) {
   std::string text = align(table_rows(columns));
   const auto asked = static_cast<std::size_t>(report.options.lights);
   if (report.options.needs_lights() && report.counts.map_lights != asked) {
-    text += format("%zu lights were asked for: the map has %zu, the next square.\n", asked,
-                   report.counts.map_lights);
+    text += format("%zu lights were asked for: the map has %zu, the next square.\n", asked, report.counts.map_lights);
   }
   if (report.options.needs_lights() && report.counts.virtual_lights != report.counts.map_lights) {
     text += format("%zu of them carry no light.\n", report.counts.map_lights - report.counts.virtual_lights);

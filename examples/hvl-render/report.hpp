@@ -40,8 +40,7 @@ class StageTimes {
  private:
   using Clock = std::chrono::steady_clock;
   struct Timer {
-    Timer(StageTimes& stage_times, std::string stage_name)
-        : times(stage_times), stage(std::move(stage_name)) {}
+    Timer(StageTimes& stage_times, std::string stage_name) : times(stage_times), stage(std::move(stage_name)) {}
     ~Timer() { times.add(stage, std::chrono::duration<double>(Clock::now() - start).count()); }
     StageTimes& times;
     std::string stage;

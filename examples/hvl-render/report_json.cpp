@@ -64,9 +64,7 @@ nlohmann::json options_json(const Options& options) {
 }
 
 /// JSON has no infinity: the PSNR of equal images is null.
-nlohmann::json number_or_null(double value) {
-  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
-}
+nlohmann::json number_or_null(double value) { return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(); }
 
 nlohmann::json errors_json(const ImageErrors& errors) {
   return {{"rmse", number_or_null(errors.rmse)},

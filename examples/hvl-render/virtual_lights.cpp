@@ -13,9 +13,8 @@ namespace hvl_render {
 namespace {
 
 /// The light of one texel of the spotlight's map; its flux is zero where there is none.
-zonal::VirtualLight shoot(const Scene& scene, const RayCaster& caster,
-                          const std::vector<zonal::MaterialTable>& tables, const glm::vec2& texel,
-                          float texel_solid_angle) {
+zonal::VirtualLight shoot(const Scene& scene, const RayCaster& caster, const std::vector<zonal::MaterialTable>& tables,
+                          const glm::vec2& texel, float texel_solid_angle) {
   const glm::vec3 direction = cone_direction(scene.light, texel);
   zonal::VirtualLight light{};
   light.to_primary = -direction;
@@ -30,39 +29,28 @@ zonal::VirtualLight shoot(const Scene& scene, const RayCaster& caster,
   return light;
 }
 
-void set_radii(std::vector<zonal::VirtualLight>& map, int side, const Spotlight& spotlight,
-               const Options& options) {
+void set_radii(std::vector<zonal::VirtualLight>& map, int side, const Spotlight& spotlight, const Options& options) {
   switch (options.radius) {
-    case RadiusRule::neighbours:
-      zonal::set_neighbour_radii(map.data(), side, side, options.radius_factor);
-      break;
+    case RadiusRule::neighbours: zonal::set_neighbour_radii(map.data(), side, side, options.radius_factor); break;
     case RadiusRule::field_of_view:
-      zonal::set_field_of_view_radii(map.data(), side * side, 2.0f * spotlight.half_angle,
-                                     options.radius_factor);
+      zonal::set_field_of_view_radii(map.data(), side * side, 2.0f * spotlight.half_angle, options.radius_factor);
       break;
-    case RadiusRule::fixed:
-      zonal::set_fixed_radii(map.data(), side * side, options.fixed_radius);
-      break;
+    case RadiusRule::fixed: zonal::set_fixed_radii(map.data(), side * side, options.fixed_radius); break;
   }
 }
 
 zonal::Window window_of(WindowRule rule) {
   switch (rule) {
-    case WindowRule::hann:
-      return zonal::Window::hann;
-    case WindowRule::sinc:
-      return zonal::Window::sinc;
-    case WindowRule::none:
-      break;
+    case WindowRule::hann: return zonal::Window::hann;
+    case WindowRule::sinc: return zonal::Window::sinc;
+    case WindowRule::none: break;
   }
   return zonal::Window::none;
 }
 
 }  // namespace
 
-int map_side(int lights) {
-  return static_cast<int>(std::ceil(std::sqrt(static_cast<double>(lights))));
-}
+int map_side(int lights) { return static_cast<int>(std::ceil(std::sqrt(static_cast<double>(lights)))); }
 
 std::vector<zonal::VirtualLight> shoot_virtual_lights(const Scene& scene, const RayCaster& caster,
                                                       const std::vector<zonal::MaterialTable>& tables,

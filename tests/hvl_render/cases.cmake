@@ -102,11 +102,11 @@ refused("reference of no format" "box.obj: cannot be read as OpenEXR .*" --out x
 renders("help" "" "" --help)
 renders("comparison" "out out/difference.png out/hvl.exr out/hvl.png out/reference.exr out/reference.png" ""
   --compare out)
-renders("quiet picture and report" "x.exr x.json" "" --out x.exr --report x.json --reference reference.exr --quiet)
+renders("quiet picture and report" "x.exr x.json" "" --scene box.obj --out x.exr --report x.json --reference reference.exr --quiet)
 renders("OBJ by both methods" "out out/difference.png out/hvl.exr out/hvl.png out/reference.exr out/reference.png" ""
   --scene box.obj --compare out --horizon exact --bounces 3)
 renders("OBJ without the stage" "x.png" "" --scene triangle.obj --no-stage --out x.png --method path)
-renders("the last of two equal options" "y.png" "" --out x.png --out y.png)
+renders("the last of two equal options" "y.png" "" --scene box.obj --out x.png --out y.png)
 
 # By a signal in the middle: within a second, and no file. The first number is of seconds.
 foreach(signal_status INT:130 TERM:143)

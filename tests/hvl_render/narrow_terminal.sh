@@ -6,7 +6,7 @@ program="$1" folder="$2"
 rm -rf "$folder"
 mkdir -p "$folder"
 cd "$folder"
-script -qec "stty cols 20; '$program' --method path --spp 64 --size 160x128" typescript >/dev/null </dev/null
+script -qec "stty cols 20; '$program' --method path --threads 1 --spp 32 --size 160x128" typescript >/dev/null </dev/null
 # What is drawn between two returns to the first column, without the codes that clear the rest of the line.
 drawn="$(tr '\r' '\n' <typescript | sed 's/\x1b\[K//g' | grep '%')"
 echo "$drawn"

@@ -191,11 +191,13 @@ TEST_CASE("The kernels of the basis, in every scalar") {
   check_every_scalar<kernels::Evaluate, 3>();
   check_every_scalar<kernels::EvaluateEven, 2>();
   check_every_scalar<kernels::EvaluateZonal, 1>();
+  check_every_scalar<kernels::EvaluateWithGradient, 3>();
 }
 
 TEST_CASE("The kernels of the lobes, in every scalar") {
   check_every_scalar<kernels::Cap, 2>();
   check_every_scalar<kernels::SphereCap, 2>();
+  check_every_scalar<kernels::CapDerivative, 2>();
   check_every_scalar<kernels::Lambert, 0>();
   check_every_scalar<kernels::Phong, 1>();
   check_every_scalar<kernels::Gaussian, 1>();
@@ -210,6 +212,13 @@ TEST_CASE("Arcs and horizons, in every scalar") {
   check_every_scalar<kernels::Arcs, 2>();
   check_every_scalar<kernels::HorizonOf<Horizon::smoothstep>, 3>();
   check_every_scalar<kernels::HorizonOf<Horizon::exact>, 3>();
+}
+
+TEST_CASE("The kernels of the lights, in every scalar") {
+  check_every_scalar<kernels::ProjectWithGradient<kernels::Sphere>, 3>();
+  check_every_scalar<kernels::ProjectWithGradient<kernels::Spot>, 3>();
+  check_every_scalar<kernels::ProjectWithGradient<kernels::TriangleSphere>, 3>();
+  check_every_scalar<kernels::Polygon, 3>();
 }
 
 TEST_CASE("The gather's kernel, in every scalar") {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <zonal/gather/hvl.hpp>
+#include <zonal/light/point.hpp>
+#include <zonal/light/triangle.hpp>
 #include <zonal/zonal.hpp>
 
 #include <array>
@@ -75,6 +77,19 @@ struct EvaluateZonal {
   }
 };
 
+struct EvaluateWithGradient {
+  static constexpr const char* name = "evaluate_with_gradient";
+  static constexpr double ulps = 40;
+  static std::vector<double> sample(Sampler& s) { return list(s.direction()); }
+  template <class T>
+  static void run(const std::vector<T>& in, std::vector<T>& out) {
+    zonal::evaluate_with_gradient<5>(in[0], in[1], in[2],
+                                     [&](auto, auto, const T& y, const T& gx, const T& gy, const T& gz) {
+                                       out.insert(out.end(), {y, gx, gy, gz});
+                                     });
+  }
+};
+
 struct Cap {
   static constexpr const char* name = "project(SphericalCap)";
   static constexpr double ulps = 8;
@@ -92,6 +107,16 @@ struct SphereCap {
   template <class T>
   static void run(const std::vector<T>& in, std::vector<T>& out) {
     zonal::project<6>(zonal::SphericalCap<T>::from_sphere(in[0], in[1]), [&](auto, const T& z) { out.push_back(z); });
+  }
+};
+
+struct CapDerivative {
+  static constexpr const char* name = "project_derivative(SphericalCap)";
+  static constexpr double ulps = 16;
+  static std::vector<double> sample(Sampler& s) { return list(s.angle(3.1)); }
+  template <class T>
+  static void run(const std::vector<T>& in, std::vector<T>& out) {
+    zonal::project_derivative<6>(zonal::SphericalCap<T>{in[0], in[1]}, [&](auto, const T& z) { out.push_back(z); });
   }
 };
 
@@ -173,6 +198,8 @@ struct Arcs {
     out.push_back(zonal::asin(in[0]));
     out.push_back(zonal::acos(in[0]));
     out.push_back(zonal::angle_from(in[0], in[1]));
+    out.push_back(zonal::sin_cos(in[0]).sine);
+    out.push_back(zonal::sin_cos(in[0]).cosine);
   }
 };
 
@@ -187,6 +214,51 @@ struct HorizonOf {
   template <class T>
   static void run(const std::vector<T>& in, std::vector<T>& out) {
     out.push_back(zonal::horizon<method>(zonal::SphericalCap<T>{in[0], in[1]}, in[2]));
+  }
+};
+
+/// Value and gradient of a light, by where the receiver stands.
+template <class Light>
+struct ProjectWithGradient {
+  static constexpr double ulps = Light::ulps;
+  static constexpr const char* name = Light::name;
+  static std::vector<double> sample(Sampler& s) { return {s.uniform(-1, 1), s.uniform(-1, 1), s.uniform(-1, 1)}; }
+  template <class T>
+  static void run(const std::vector<T>& in, std::vector<T>& out) {
+    zonal::project_with_gradient<4>(Light::light(), in[0], in[1], in[2],
+                                    [&](auto, auto, const T& y, const T& gx, const T& gy, const T& gz) {
+                                      out.insert(out.end(), {y, gx, gy, gz});
+                                    });
+  }
+};
+struct Sphere {
+  static constexpr const char* name = "SphereLight with gradient";
+  static constexpr double ulps = 60;
+  static zonal::SphereLight<double> light() { return {{0.5, -0.25, 3}, 0.5}; }
+};
+struct Spot {
+  static constexpr const char* name = "SpotLight with gradient";
+  static constexpr double ulps = 100;
+  static zonal::SpotLight<double> light() { return {{0.5, -0.25, 3}, {0, 0, -1}, 0.96875, 0.25}; }
+};
+struct TriangleSphere {
+  static constexpr const char* name = "TriangleSphereLight with gradient";
+  static constexpr double ulps = 100;
+  static zonal::TriangleSphereLight<double> light() { return {{0.5, -0.25, 3}, {0, 0.6, 0.8}, 0.5}; }
+};
+
+struct Polygon {
+  static constexpr const char* name = "PolygonLight with gradient";
+  static constexpr double ulps = 400;
+  static std::vector<double> sample(Sampler& s) { return {s.uniform(-1, 1), s.uniform(-1, 1), s.uniform(-1, 1)}; }
+  template <class T>
+  static void run(const std::vector<T>& in, std::vector<T>& out) {
+    static const zonal::QuadratureRule rule = zonal::gauss_legendre(3);
+    const zonal::TriangleLight<double> light{{{-1, -1, 2}, {1, -0.5, 2.5}, {0.25, 1, 2}}};
+    zonal::finish<4>(zonal::polygon_sums<4>(light, rule, in[0], in[1], in[2]),
+                     [&](auto, auto, const T& y, const T& gx, const T& gy, const T& gz) {
+                       out.insert(out.end(), {y, gx, gy, gz});
+                     });
   }
 };
 

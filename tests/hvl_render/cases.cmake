@@ -114,7 +114,7 @@ foreach(signal_status INT:130 TERM:143)
   list(GET signal_status 0 signal)
   list(GET signal_status 1 status)
   hvl_render_case("stopped by SIG${signal}" ${status} "" "hvl-render: interrupted, nothing written"
-    timeout --preserve-status --kill-after=1 --signal=${signal} 0.5
+    timeout --preserve-status --kill-after=10 --signal=${signal} 2
     $<TARGET_FILE:hvl-render> --compare out --spp 1000000)
 endforeach()
 

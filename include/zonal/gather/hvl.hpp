@@ -22,6 +22,7 @@
 #include "../basis/evaluate.hpp"
 #include "../lobe/cap.hpp"
 #include "../scalar/packet.hpp"
+#include "../scalar/vector3.hpp"
 #include "../transform/orient.hpp"
 #include "horizon.hpp"
 #include "virtual_light.hpp"
@@ -57,11 +58,6 @@ struct ReceiverFrame {
 };
 
 namespace detail {
-template <class T>
-ZONAL_INLINE constexpr T dot3(const T (&a)[3], const T (&b)[3]) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 // The unit vector of v's part in the plane of the normal; any one of that plane where v is the normal.
 inline glm::vec3 tangent_towards(const glm::vec3& normal, const glm::vec3& v) {
   const glm::vec3 flat = v - glm::dot(v, normal) * normal;

@@ -48,7 +48,7 @@ struct SpotLight {
   ZONAL_INLINE constexpr Modulation<R> modulation(const Sight<R>& sight) const {
     const R a[3] = {R(axis[0]), R(axis[1]), R(axis[2])};
     const R* w = sight.direction;
-    const R cosine = -(w[0] * a[0] + w[1] * a[1] + w[2] * a[2]);
+    const R cosine = -detail::dot3(sight.direction, a);
     const R inverse_width = R(1) / (R(cos_inner) - R(cos_outer));
     const R t = clamp((cosine - R(cos_outer)) * inverse_width, R(0), R(1));
     const R slope = R(6) * (t * (R(1) - t)) * (inverse_width * sight.inverse_distance);

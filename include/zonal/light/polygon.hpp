@@ -28,6 +28,7 @@
 #include "../basis/gradient.hpp"
 #include "../scalar/math.hpp"
 #include "../scalar/quadrature.hpp"
+#include "../scalar/vector3.hpp"
 
 namespace zonal {
 
@@ -62,14 +63,6 @@ struct PolygonSums {
 
 namespace detail {
 
-template <class T>
-ZONAL_INLINE constexpr T dot(const T (&a)[3], const T (&b)[3]) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-template <class T>
-ZONAL_INLINE constexpr void cross(const T (&a)[3], const T (&b)[3], T (&result)[3]) {
-  for (int i = 0; i < 3; ++i) result[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-}
 // 1 / max(x, tiny): infinities become large.
 template <class T>
 ZONAL_INLINE constexpr T safe_inverse(const T& x) {
@@ -82,18 +75,18 @@ ZONAL_INLINE constexpr void add_edge(const T (&p)[3], const T (&edge)[3], const 
                                      const QuadratureRule& rule, PolygonSums<N, T>& sums) {
   // The plane of the arc: its normal from the edge itself, which is exact however small the light looks.
   T c[3], foot[3];
-  cross(p, edge, c);
-  cross(edge, c, foot);
-  const T area2 = dot(c, c), inverse_area = safe_inverse(sqrt(area2)), inverse_area2 = safe_inverse(area2);
+  cross3(p, edge, c);
+  cross3(edge, c, foot);
+  const T area2 = dot3(c, c), inverse_area = safe_inverse(sqrt(area2)), inverse_area2 = safe_inverse(area2);
   const T normal[3] = {c[0] * inverse_area, c[1] * inverse_area, c[2] * inverse_area};
 
   // The arc about its middle: u(s) = middle cos s + along sin s, |s| <= half.
-  const T p_inverse = safe_inverse(sqrt(dot(p, p))), q_inverse = safe_inverse(sqrt(dot(q, q)));
+  const T p_inverse = safe_inverse(sqrt(dot3(p, p))), q_inverse = safe_inverse(sqrt(dot3(q, q)));
   T middle[3], along[3];
   for (int i = 0; i < 3; ++i) middle[i] = p[i] * p_inverse + q[i] * q_inverse;
-  const T length = sqrt(dot(middle, middle)), length_inverse = safe_inverse(length);
+  const T length = sqrt(dot3(middle, middle)), length_inverse = safe_inverse(length);
   for (int i = 0; i < 3; ++i) middle[i] = middle[i] * length_inverse;
-  cross(normal, middle, along);
+  cross3(normal, middle, along);
   const T cos_half = min(T(0.5L) * length, T(1));
   const T sin_half = min(sqrt(area2) * (p_inverse * q_inverse) * length_inverse, T(1));
   const T half = angle_from(cos_half, sin_half);
@@ -108,7 +101,7 @@ ZONAL_INLINE constexpr void add_edge(const T (&p)[3], const T (&edge)[3], const 
     T u[3];
     for (int i = 0; i < 3; ++i) u[i] = middle[i] * s.cosine + along[i] * s.sine;
     const T weight = half * T(rule.weights[k]);
-    const T weight_by_distance = weight * (dot(u, foot) * inverse_area2);
+    const T weight_by_distance = weight * (dot3(u, foot) * inverse_area2);
     evaluate<N + 1>(u[0], u[1], u[2], [&](auto l, auto m, const T& y) ZONAL_INLINE {
       constexpr int i = sh_index(l, m);
       weighted.values[i] = weighted.values[i] + weight * y;
@@ -129,8 +122,8 @@ ZONAL_INLINE constexpr void add_edge(const T (&p)[3], const T (&edge)[3], const 
 // tan(Omega/2) of a triangle as sine and cosine [van Oosterom and Strackee]; `volume` is p . (edge x edge'), signed.
 template <class T>
 ZONAL_INLINE constexpr T triangle_solid_angle(const T& volume, const T (&a)[3], const T (&b)[3], const T (&c)[3]) {
-  const T la = sqrt(dot(a, a)), lb = sqrt(dot(b, b)), lc = sqrt(dot(c, c));
-  const T cosine = la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb;
+  const T la = sqrt(dot3(a, a)), lb = sqrt(dot3(b, b)), lc = sqrt(dot3(c, c));
+  const T cosine = la * lb * lc + dot3(a, b) * lc + dot3(b, c) * la + dot3(c, a) * lb;
   const T inverse = safe_inverse(sqrt(volume * volume + cosine * cosine));
   return T(2) * angle_from(clamp(cosine * inverse, T(-1), T(1)), min(abs(volume) * inverse, T(1)));
 }
@@ -150,16 +143,16 @@ ZONAL_INLINE constexpr PolygonSums<N, T> polygon_sums(const PolygonLight<V, S>& 
       edge[v][i] = T(light.vertices[(v + 1) % V][i]) - T(light.vertices[v][i]);
     }
   }
-  detail::cross(edge[0], edge[1], normal);
-  const T side = select(detail::dot(p[0], normal) < T(0), T(-1), T(1));
+  detail::cross3(edge[0], edge[1], normal);
+  const T side = select(detail::dot3(p[0], normal) < T(0), T(-1), T(1));
 
   PolygonSums<N, T> sums = PolygonSums<N, T>::zero();
   for (int v = 0; v < V; ++v) detail::add_edge<N>(p[v], edge[v], p[(v + 1) % V], side, rule, sums);
   for (int v = 1; v + 1 < V; ++v) {  // a fan of triangles from the first vertex
     T diagonal[3], area[3];
     for (int i = 0; i < 3; ++i) diagonal[i] = T(light.vertices[v][i]) - T(light.vertices[0][i]);
-    detail::cross(diagonal, edge[v], area);
-    sums.solid_angle = sums.solid_angle + detail::triangle_solid_angle(detail::dot(p[0], area), p[0], p[v], p[v + 1]);
+    detail::cross3(diagonal, edge[v], area);
+    sums.solid_angle = sums.solid_angle + detail::triangle_solid_angle(detail::dot3(p[0], area), p[0], p[v], p[v + 1]);
   }
   return sums;
 }

@@ -18,6 +18,7 @@
 #include <glm/vec3.hpp>
 
 #include "../basis/gradient.hpp"
+#include "../scalar/vector3.hpp"
 #include "../transform/orient.hpp"
 
 namespace zonal {
@@ -63,8 +64,7 @@ ZONAL_INLINE constexpr T step_down(int l, const T& value_over_distance, const T&
   return -(T(l + 1) * value_over_distance) - slope;
 }
 
-// A light's Modulation where it has one; nothing where not.
-struct NoModulation {};
+// Whether a light has a Modulation.
 template <class Light, class T, class = void>
 struct ModulationOf {
   static constexpr bool exists = false;

@@ -35,7 +35,7 @@ struct TriangleSphereLight {
   ZONAL_INLINE constexpr Modulation<R> modulation(const Sight<R>& sight) const {
     const R n[3] = {R(normal[0]), R(normal[1]), R(normal[2])};
     const R* w = sight.direction;
-    const R cosine = w[0] * n[0] + w[1] * n[1] + w[2] * n[2];
+    const R cosine = detail::dot3(sight.direction, n);
     const R slope = select(R(0) < cosine, sight.inverse_distance, -sight.inverse_distance);
     return {abs(cosine),
             {slope * (cosine * w[0] - n[0]), slope * (cosine * w[1] - n[1]), slope * (cosine * w[2] - n[2])}};

@@ -1,6 +1,8 @@
 // A grid filled in packets, four lights at a time, against each light at each vertex by itself, in double.
 #include <zonal/grid/add_lights.hpp>
+#include <zonal/grid/add_polygons.hpp>
 #include <zonal/light/point.hpp>
+#include <zonal/light/sphere.hpp>
 #include <zonal/light/triangle.hpp>
 
 #include <algorithm>
@@ -24,11 +26,11 @@ glm::vec<3, T> random_point(std::mt19937& random, T low, T high) {
   return {x, y, z};
 }
 
-template <class Light, class Widen>
+template <class Light, class Widen, class Add>
 void check(const std::vector<zonal::ColouredLight<Light>>& lights, const glm::ivec3& resolution, Widen widen,
-           double tolerance) {
+           double tolerance, Add add) {
   zonal::CoefficientGrid<N> grid({-1, -1, -1}, {1, 2, 0.5F}, resolution);
-  zonal::add_lights(grid, lights, serially);
+  add(grid);
   for (int k = 0; k < resolution.z; ++k) {
     for (int j = 0; j < resolution.y; ++j) {
       for (int i = 0; i < resolution.x; ++i) {
@@ -59,6 +61,12 @@ void check(const std::vector<zonal::ColouredLight<Light>>& lights, const glm::iv
       }
     }
   }
+}
+
+template <class Light, class Widen>
+void check(const std::vector<zonal::ColouredLight<Light>>& lights, const glm::ivec3& resolution, Widen widen,
+           double tolerance) {
+  check(lights, resolution, widen, tolerance, [&](auto& grid) { zonal::add_lights(grid, lights, serially); });
 }
 
 template <class MakeLight>
@@ -108,6 +116,96 @@ TEST_CASE("grid from other lights: points, spots, triangles as spheres") {
                                                   static_cast<double>(light.radius)};
       },
       3e-6);
+}
+
+TEST_CASE("grid from other lights: spots, soft spheres") {
+  check(
+      random_lights(6, 65,
+                    [](std::mt19937& random) {
+                      return zonal::SpotLight<float>{
+                          random_point(random, -0.5F, 0.5F) + glm::vec3(0, 0, 2), {0, 0.6F, -0.8F}, 0.95F, 0.2F};
+                    }),
+      {3, 3, 3},
+      [](const zonal::SpotLight<float>& light) {
+        return zonal::SpotLight<double>{glm::dvec3(light.center), glm::dvec3(light.axis),
+                                        static_cast<double>(light.cos_inner), static_cast<double>(light.cos_outer)};
+      },
+      5e-6);
+  check(
+      random_lights(
+          6, 66,
+          [](std::mt19937& random) {
+            zonal::SoftSphereLight<N, float> light{random_point(random, -0.5F, 0.5F) + glm::vec3(0, 0, 2), 0.3F, {}};
+            for (int l = 0; l < N; ++l) light.kernel[l] = 1.0F / static_cast<float>(1 + l);
+            return light;
+          }),
+      {3, 3, 3},
+      [](const zonal::SoftSphereLight<N, float>& light) {
+        zonal::SoftSphereLight<N, double> wide{glm::dvec3(light.center), static_cast<double>(light.radius), {}};
+        for (int l = 0; l < N; ++l) wide.kernel[l] = static_cast<double>(light.kernel[l]);
+        return wide;
+      },
+      3e-6);
+}
+
+namespace {
+
+template <int V>
+zonal::PolygonLight<V, double> widened(const zonal::PolygonLight<V, float>& light) {
+  zonal::PolygonLight<V, double> wide;
+  for (int v = 0; v < V; ++v) wide.vertices[v] = glm::dvec3(light.vertices[v]);
+  return wide;
+}
+
+/// A square light at z = 2, cut into side * side * 2 triangles; every other one runs the other way around.
+template <class Colour>
+std::vector<zonal::ColouredLight<zonal::TriangleLight<float>>> cut_square(int side, const Colour& colour) {
+  std::vector<zonal::ColouredLight<zonal::TriangleLight<float>>> lights;
+  for (int j = 0; j < side; ++j) {
+    for (int i = 0; i < side; ++i) {
+      const auto corner = [&](int a, int b) {
+        return glm::vec3(-0.9F + static_cast<float>(i + a) / static_cast<float>(side),
+                         -0.3F + static_cast<float>(j + b) / static_cast<float>(side), 2);
+      };
+      lights.push_back({{{corner(0, 0), corner(1, 0), corner(0, 1)}}, colour(lights.size())});
+      lights.push_back({{{corner(1, 0), corner(0, 1), corner(1, 1)}}, colour(lights.size())});
+    }
+  }
+  return lights;
+}
+
+}  // namespace
+
+TEST_CASE("grid from polygons: each by itself, and as neighbours that share their edges") {
+  const auto widen = [](const auto& light) { return widened(light); };
+  const auto adding = [](const auto& lights) {
+    return [&](auto& grid) { zonal::add_lights(grid, lights, 1e-7, serially); };
+  };
+  for (const std::size_t count : {0U, 1U, 2U, 5U}) {
+    const auto lights = random_lights(count, 67, [](std::mt19937& random) {
+      const glm::vec3 corner = random_point(random, -0.5F, 0.5F) + glm::vec3(0, 0, 2);
+      return zonal::PolygonLight<4, float>{{corner, corner + glm::vec3(0.4F, 0, 0.2F),
+                                            corner + glm::vec3(0.4F, 0.3F, 0.2F), corner + glm::vec3(0, 0.3F, 0)}};
+    });
+    check(lights, {3, 2, 3}, widen, 2e-5, adding(lights));
+  }
+  const auto gaudy = cut_square(3, [](std::size_t i) {
+    return glm::vec3(static_cast<float>(i % 5) * 0.25F, static_cast<float>(i % 3), i % 7 == 0 ? 4.0F : 0.5F);
+  });
+  check(gaudy, {3, 2, 3}, widen, 1e-5, adding(gaudy));
+}
+
+TEST_CASE("grid from polygons: a uniform light is its outline, however finely it is cut") {
+  const auto one = [](std::size_t) { return glm::vec3(1, 2, 3); };
+  zonal::CoefficientGrid<N> whole({-1, -1, -1}, {1, 2, 0.5F}, {3, 3, 3}), cut = whole;
+  zonal::add_lights(whole, cut_square(1, one), 1e-7, serially);
+  zonal::add_lights(cut, cut_square(16, one), 1e-7, serially);
+  float largest = 0;
+  for (std::size_t i = 0; i < whole.size(); ++i) largest = std::max(largest, std::abs(whole.data()[i]));
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    CAPTURE(i);
+    REQUIRE(std::abs(whole.data()[i] - cut.data()[i]) <= 2e-6F * largest);
+  }
 }
 
 TEST_CASE("grid: lights add up, and a grid is no larger than its data") {

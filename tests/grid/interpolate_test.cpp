@@ -1,6 +1,7 @@
 // Interpolation on a grid: by definition, on polynomials it must reproduce, against dual numbers, and at the edges.
 #include <zonal/grid/add_lights.hpp>
 #include <zonal/grid/interpolate.hpp>
+#include <zonal/light/sphere.hpp>
 #include <zonal/scalar/dual.hpp>
 
 #include <algorithm>

@@ -6,6 +6,8 @@
 // 6 l + 3 multiplications for degree l, instead of 8 l + 4 and the gradient itself.
 #pragma once
 
+#include <cstddef>
+
 #include <glm/vec3.hpp>
 
 #include "../light/radial.hpp"
@@ -22,46 +24,55 @@ struct ColouredLight {
 
 /// The sums at receivers T (a float, or a packet of them). Wide takes several lights at once: T, or a packet of a
 /// multiple of T's lanes, whose first lanes are the receivers for the first light, and so on. That loads and stores
-/// each sum once for all of them.
-template <int N, class T, class Wide = T>
+/// each sum once for all of them. Lights with a Modulation need is_modulated, and twice as many sums.
+template <int N, class T, class Wide = T, bool is_modulated = false>
 class LightSums {
  public:
   LightSums() {
     for (Sums& sums : sums_) {
-      for (int c = 0; c < 3; ++c) sums.value[c] = sums.up[c] = sums.down[c] = T(0);
+      for (auto& channel : sums) {
+        for (T& sum : channel) sum = T(0);
+      }
     }
   }
 
   /// Adds lights seen from (x, y, z).
   template <class Light>
   ZONAL_INLINE void add(const Light& light, const Wide (&colour)[3], const Wide& x, const Wide& y, const Wide& z) {
-    static_assert(!detail::ModulationOf<Light, Wide>::exists, "a modulated light is not radial");
+    constexpr bool has_modulation = detail::ModulationOf<Light, Wide>::exists;
+    static_assert(has_modulation == is_modulated, "a modulated light needs is_modulated");
     const Sight<Wide> sight = detail::sight(light, x, y, z);
-    const RadialProfile<N, Wide> profile = light.template profile<N>(sight);
+    RadialProfile<N, Wide> profile = light.template profile<N>(sight);
+    [[maybe_unused]] const auto before = profile.value;
+    [[maybe_unused]] Modulation<Wide> modulation;
+    if constexpr (has_modulation) {
+      modulation = light.modulation(sight);
+      detail::scale(profile, modulation.value);
+    }
     Sh<N + 1, Wide> basis;
     detail::evaluate_into(basis, sight.direction[0], sight.direction[1], sight.direction[2]);
 
-    // Degree by degree, so that the nine factors stay in registers.
+    // Degree by degree, so that its factors stay near.
     unroll<0, N + 1>([&](auto l) ZONAL_INLINE {
-      Wide value[3], up[3], down[3];
-      if constexpr (l < N) {
-        for (int c = 0; c < 3; ++c) value[c] = profile.value.values[l] * colour[c];
+      const auto& values = profile.value.values;
+      const auto& slopes = profile.slope.values;
+      Wide factor[static_cast<std::size_t>(term_count)][3];
+      const auto set = [&](int term, const Wide& x_of_degree) ZONAL_INLINE {
+        for (int c = 0; c < 3; ++c) factor[term][c] = x_of_degree * colour[c];
+      };
+      if constexpr (exists(value, l)) set(value, values[l]);
+      if constexpr (exists(up, l)) set(up, Wide(l - 1) * (values[l - 1] * sight.inverse_distance) - slopes[l - 1]);
+      if constexpr (exists(down, l)) {
+        set(down, -(Wide(l + 2) * (values[l + 1] * sight.inverse_distance)) - slopes[l + 1]);
       }
-      if constexpr (l > 0) {
-        const Wide over_distance = profile.value.values[l - 1] * sight.inverse_distance;
-        const Wide step = Wide(l - 1) * over_distance - profile.slope.values[l - 1];
-        for (int c = 0; c < 3; ++c) up[c] = step * colour[c];
-      }
-      if constexpr (l + 1 < N) {
-        const Wide over_distance = profile.value.values[l + 1] * sight.inverse_distance;
-        const Wide step = -(Wide(l + 2) * over_distance) - profile.slope.values[l + 1];
-        for (int c = 0; c < 3; ++c) down[c] = step * colour[c];
+      if constexpr (is_modulated && exists(modulated, l)) {  // (w A_l Y)' = w (A_l Y)' + w' A_l Y
+        for (int k = 0; k < 3; ++k) set(modulated + k, before.values[l] * modulation.gradient[k]);
       }
       for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
         for (int c = 0; c < 3; ++c) {
-          if constexpr (l < N) add_product(sums_[i].value[c], value[c], basis.values[i]);
-          if constexpr (l > 0) add_product(sums_[i].up[c], up[c], basis.values[i]);
-          if constexpr (l + 1 < N) add_product(sums_[i].down[c], down[c], basis.values[i]);
+          unroll<0, term_count>([&](auto term) ZONAL_INLINE {
+            if constexpr (exists(term, l)) add_product(sums_[i][c][term], factor[term][c], basis.values[i]);
+          });
         }
       }
     });
@@ -71,21 +82,30 @@ class LightSums {
   template <class Sink>
   void finish(Sink&& sink) const {
     for (int c = 0; c < 3; ++c) {
+      const auto sum = [&](int l, int m, int term) -> const T& { return sums_[sh_index(l, m)][c][term]; };
       unroll<0, N>([&](auto l) {
-        detail::ladder<l, T, detail::UnitWeights>([&](auto m) { return sums_[sh_index(l + 1, m)].up[c]; },
-                                                  [&](auto m) { return sums_[sh_index(l - 1, m)].down[c]; },
+        detail::ladder<l, T, detail::UnitWeights>([&](auto m) { return sum(l + 1, m, up); },
+                                                  [&](auto m) { return sum(l - 1, m, down); },
                                                   [&](auto m, const T& x, const T& y, const T& z) {
-                                                    sink(l, m, c, sums_[sh_index(l, m)].value[c], x, y, z);
+                                                    if constexpr (is_modulated) {
+                                                      sink(l, m, c, sum(l, m, value), x + sum(l, m, modulated),
+                                                           y + sum(l, m, modulated + 1), z + sum(l, m, modulated + 2));
+                                                    } else {
+                                                      sink(l, m, c, sum(l, m, value), x, y, z);
+                                                    }
                                                   });
       });
     }
   }
 
  private:
-  // What Y_l^m is multiplied by: A_l, the step up from l-1, and the step down from l+1.
-  struct Sums {
-    T value[3], up[3], down[3];
-  };
+  // What Y_l^m is multiplied by: A_l, the step up from l-1, the step down from l+1, and A_l times the modulation's
+  // gradient.
+  enum Term { value, up, down, modulated };
+  static constexpr int term_count = is_modulated ? modulated + 3 : modulated;
+  static constexpr bool exists(int term, int l) { return term == up ? l > 0 : term == down ? l + 1 < N : l < N; }
+  using Sums = T[3][static_cast<std::size_t>(term_count)];
+
   Sums sums_[static_cast<std::size_t>((N + 1) * (N + 1))];
 };
 

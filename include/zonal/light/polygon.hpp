@@ -7,8 +7,9 @@
 //
 // and Omega / (2 sqrt(pi)) for l = 0. When the receiver moves, the point of an edge at distance rho moves by 1/rho, so
 // the gradient is the sum over edges of n_e times the integral of Y_l^m / rho ds. Both need the basis only, at a few
-// Gauss-Legendre nodes on each arc: the error falls geometrically with their number. grad Y is the linear map of
-// basis/gradient.hpp, and is applied once, to the sum of all nodes.
+// Gauss-Legendre nodes on each arc: the error falls geometrically with their number. Along n_e, across the direction,
+// grad Y_l^m is the step down of basis/ladder.hpp alone, (2l+1) D[Y_(l-1)]: it is linear, and applied once, to the sum
+// of all nodes.
 //
 // - The light shines to both sides. In its plane, beside the polygon, all coefficients are zero, and the gradient is
 //   the one on the side that its vertices run around counterclockwise.
@@ -45,8 +46,9 @@ using TriangleLight = PolygonLight<3, T>;
 /// The sums over nodes that the coefficients of N bands are made of.
 template <int N, class T>
 struct PolygonSums {
-  Sh<N + 1, T> moment[3];  // n_e Y ds
-  Sh<N, T> slope[3];       // n_e Y / rho ds
+  static constexpr int moment_bands = N > 1 ? N - 1 : 1;
+  Sh<moment_bands, T> moment[3];  // n_e Y ds
+  Sh<N, T> slope[3];              // n_e Y / rho ds
   T solid_angle;
 
   static ZONAL_INLINE constexpr PolygonSums zero() {
@@ -70,16 +72,30 @@ ZONAL_INLINE constexpr T safe_inverse(const T& x) {
   return T(1) / max(x, T(1e-30L));
 }
 
-// Adds the edge from p to q = p + edge, relative to the receiver. `side` is 1 where the polygon runs counterclockwise.
+// The cosine of the angle between two vectors.
+template <class T>
+ZONAL_INLINE constexpr T arc_cosine(const T (&p)[3], const T (&q)[3]) {
+  return clamp(dot3(p, q) * safe_inverse(sqrt(dot3(p, p) * dot3(q, q))), T(-1), T(1));
+}
+
+// Integrals along an edge.
 template <int N, class T>
-ZONAL_INLINE constexpr void add_edge(const T (&p)[3], const T (&edge)[3], const T (&q)[3], const T& side,
-                                     const QuadratureRule& rule, PolygonSums<N, T>& sums) {
+struct EdgeIntegrals {
+  T normal[3];                                   // unit, on the left of the edge as seen from the receiver
+  Sh<PolygonSums<N, T>::moment_bands, T> along;  // Y ds
+  Sh<N, T> by_distance;                          // Y / rho ds
+};
+
+// The edge from p to q = p + edge, relative to the receiver.
+template <int N, class T>
+ZONAL_INLINE constexpr void integrate_edge(const T (&p)[3], const T (&edge)[3], const T (&q)[3],
+                                           const QuadratureRule& rule, EdgeIntegrals<N, T>& result) {
   // The plane of the arc: its normal from the edge itself, which is exact however small the light looks.
   T c[3], foot[3];
   cross3(p, edge, c);
   cross3(edge, c, foot);
   const T area2 = dot3(c, c), inverse_area = safe_inverse(sqrt(area2)), inverse_area2 = safe_inverse(area2);
-  const T normal[3] = {c[0] * inverse_area, c[1] * inverse_area, c[2] * inverse_area};
+  for (int i = 0; i < 3; ++i) result.normal[i] = c[i] * inverse_area;
 
   // The arc about its middle: u(s) = middle cos s + along sin s, |s| <= half.
   const T p_inverse = safe_inverse(sqrt(dot3(p, p))), q_inverse = safe_inverse(sqrt(dot3(q, q)));
@@ -87,36 +103,36 @@ ZONAL_INLINE constexpr void add_edge(const T (&p)[3], const T (&edge)[3], const 
   for (int i = 0; i < 3; ++i) middle[i] = p[i] * p_inverse + q[i] * q_inverse;
   const T length = sqrt(dot3(middle, middle)), length_inverse = safe_inverse(length);
   for (int i = 0; i < 3; ++i) middle[i] = middle[i] * length_inverse;
-  cross3(normal, middle, along);
+  cross3(result.normal, middle, along);
   const T cos_half = min(T(0.5L) * length, T(1));
   const T sin_half = min(sqrt(area2) * (p_inverse * q_inverse) * length_inverse, T(1));
   const T half = angle_from(cos_half, sin_half);
 
   // Nodes. 1 / rho is u . foot / |c|^2, foot being |edge|^2 times the foot of the perpendicular on the edge's line.
-  Sh<N + 1, T> weighted;
-  Sh<N, T> by_distance;
-  for (T& value : weighted.values) value = T(0);
-  for (T& value : by_distance.values) value = T(0);
+  for (T& value : result.along.values) value = T(0);
+  for (T& value : result.by_distance.values) value = T(0);
   for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
     const auto s = sin_cos(half * T(rule.nodes[k]));
     T u[3];
     for (int i = 0; i < 3; ++i) u[i] = middle[i] * s.cosine + along[i] * s.sine;
     const T weight = half * T(rule.weights[k]);
     const T weight_by_distance = weight * (dot3(u, foot) * inverse_area2);
-    evaluate<N + 1>(u[0], u[1], u[2], [&](auto l, auto m, const T& y) ZONAL_INLINE {
+    evaluate<N>(u[0], u[1], u[2], [&](auto l, auto m, const T& y) ZONAL_INLINE {
       constexpr int i = sh_index(l, m);
-      weighted.values[i] = weighted.values[i] + weight * y;
-      if constexpr (l < N) by_distance.values[i] = by_distance.values[i] + weight_by_distance * y;
+      if constexpr (l < PolygonSums<N, T>::moment_bands) add_product(result.along.values[i], weight, y);
+      add_product(result.by_distance.values[i], weight_by_distance, y);
     });
   }
+}
+
+// Adds an edge times what a polygon's radiance is on its left, less that on its right: 1 or -1 for a polygon that runs
+// counterclockwise or clockwise as seen from the receiver. A packet may hold several edges for each receiver.
+template <int N, class Wide, class T>
+ZONAL_INLINE constexpr void add_edge(const EdgeIntegrals<N, Wide>& edge, const Wide& jump, PolygonSums<N, T>& sums) {
   for (int k = 0; k < 3; ++k) {
-    const T inward = normal[k] * side;
-    for (int i = 0; i < (N + 1) * (N + 1); ++i) {
-      sums.moment[k].values[i] = sums.moment[k].values[i] + inward * weighted.values[i];
-    }
-    for (int i = 0; i < N * N; ++i) {
-      sums.slope[k].values[i] = sums.slope[k].values[i] + inward * by_distance.values[i];
-    }
+    const Wide inward = edge.normal[k] * jump;
+    for (int i = 0; i < edge.along.size(); ++i) add_product(sums.moment[k].values[i], inward, edge.along.values[i]);
+    for (int i = 0; i < N * N; ++i) add_product(sums.slope[k].values[i], inward, edge.by_distance.values[i]);
   }
 }
 
@@ -129,6 +145,44 @@ ZONAL_INLINE constexpr T triangle_solid_angle(const T& volume, const T (&a)[3], 
   return T(2) * angle_from(clamp(cosine * inverse, T(-1), T(1)), min(abs(volume) * inverse, T(1)));
 }
 
+// How large a polygon looks, and from which side: 1 where its vertices run counterclockwise as seen, else -1.
+template <class T>
+struct PolygonView {
+  T solid_angle, side;
+};
+
+// The vertices as seen from a receiver, and the edges from each to the next, exact however far away.
+template <int V, class T>
+struct SeenPolygon {
+  T p[static_cast<std::size_t>(V)][3], edge[static_cast<std::size_t>(V)][3];
+
+  template <class S>
+  ZONAL_INLINE constexpr SeenPolygon(const PolygonLight<V, S>& light, const T (&receiver)[3]) {
+    for (int v = 0; v < V; ++v) {
+      for (int i = 0; i < 3; ++i) {
+        p[v][i] = T(light.vertices[v][i]) - receiver[i];
+        edge[v][i] = T(light.vertices[(v + 1) % V][i] - light.vertices[v][i]);
+      }
+    }
+  }
+};
+
+template <int V, class T>
+ZONAL_INLINE constexpr PolygonView<T> view(const SeenPolygon<V, T>& polygon) {
+  const auto& p = polygon.p;
+  const auto& edge = polygon.edge;
+  T normal[3];
+  cross3(edge[0], edge[1], normal);
+  PolygonView<T> result{T(0), select(dot3(p[0], normal) < T(0), T(-1), T(1))};
+  T diagonal[3] = {edge[0][0], edge[0][1], edge[0][2]}, area[3];
+  for (int v = 1; v + 1 < V; ++v) {  // a fan of triangles from the first vertex
+    cross3(diagonal, edge[v], area);
+    result.solid_angle = result.solid_angle + triangle_solid_angle(dot3(p[0], area), p[0], p[v], p[v + 1]);
+    for (int i = 0; i < 3; ++i) diagonal[i] = diagonal[i] + edge[v][i];
+  }
+  return result;
+}
+
 }  // namespace detail
 
 /// The polygon's sums at the receiver (x, y, z); `rule` serves every edge: see edge_nodes.
@@ -136,25 +190,15 @@ template <int N, int V, class S, class T>
 ZONAL_INLINE constexpr PolygonSums<N, T> polygon_sums(const PolygonLight<V, S>& light, const QuadratureRule& rule,
                                                       const T& x, const T& y, const T& z) {
   const T receiver[3] = {x, y, z};
-  constexpr auto count = static_cast<std::size_t>(V);
-  T p[count][3], edge[count][3], normal[3];
-  for (int v = 0; v < V; ++v) {
-    for (int i = 0; i < 3; ++i) {
-      p[v][i] = T(light.vertices[v][i]) - receiver[i];
-      edge[v][i] = T(light.vertices[(v + 1) % V][i]) - T(light.vertices[v][i]);
-    }
-  }
-  detail::cross3(edge[0], edge[1], normal);
-  const T side = select(detail::dot3(p[0], normal) < T(0), T(-1), T(1));
-
+  const detail::SeenPolygon<V, T> seen(light, receiver);
+  const detail::PolygonView<T> view = detail::view(seen);
   PolygonSums<N, T> sums = PolygonSums<N, T>::zero();
-  for (int v = 0; v < V; ++v) detail::add_edge<N>(p[v], edge[v], p[(v + 1) % V], side, rule, sums);
-  for (int v = 1; v + 1 < V; ++v) {  // a fan of triangles from the first vertex
-    T diagonal[3], area[3];
-    for (int i = 0; i < 3; ++i) diagonal[i] = T(light.vertices[v][i]) - T(light.vertices[0][i]);
-    detail::cross3(diagonal, edge[v], area);
-    sums.solid_angle = sums.solid_angle + detail::triangle_solid_angle(detail::dot3(p[0], area), p[0], p[v], p[v + 1]);
+  for (int v = 0; v < V; ++v) {
+    detail::EdgeIntegrals<N, T> integrals;
+    detail::integrate_edge<N>(seen.p[v], seen.edge[v], seen.p[(v + 1) % V], rule, integrals);
+    detail::add_edge<N>(integrals, view.side, sums);
   }
+  sums.solid_angle = view.solid_angle;
   return sums;
 }
 
@@ -164,14 +208,14 @@ ZONAL_INLINE constexpr void finish(const PolygonSums<N, T>& sums, Sink&& sink) {
   Sh<N, T> value;
   value.values[0] = T(1 / (2 * constexpr_sqrt(kPi))) * sums.solid_angle;
   unroll<0, 3>([&](auto k) ZONAL_INLINE {
-    detail::ladder<N, detail::AngularWeights>(sums.moment[k],
-                                              [&](auto l, auto m, const T& gx, const T& gy, const T& gz) ZONAL_INLINE {
-                                                if constexpr (l > 0) {
-                                                  const T component = k == 0 ? gx : k == 1 ? gy : gz;
-                                                  T& target = value.values[sh_index(l, m)];
-                                                  target = k == 0 ? component : target + component;
-                                                }
-                                              });
+    detail::ladder<N, detail::SolidWeights>(sums.moment[k],
+                                            [&](auto l, auto m, const T& gx, const T& gy, const T& gz) ZONAL_INLINE {
+                                              if constexpr (l > 0) {
+                                                const T component = k == 0 ? gx : k == 1 ? gy : gz;
+                                                T& target = value.values[sh_index(l, m)];
+                                                target = k == 0 ? component : target + component;
+                                              }
+                                            });
   });
   unroll<0, N>([&](auto l) ZONAL_INLINE {
     unroll<-l, l + 1>([&](auto m) ZONAL_INLINE {
@@ -221,27 +265,21 @@ class EdgeRules {
   std::size_t nodes_[steps];
 };
 
-/// The cosine of the largest angle that an edge of the polygon subtends from the receiver (x, y, z).
-template <int V, class S, class T>
-ZONAL_INLINE constexpr T least_arc_cosine(const PolygonLight<V, S>& light, const T& x, const T& y, const T& z) {
-  const T receiver[3] = {x, y, z};
-  T least = T(1), p[3], q[3];
-  for (int v = 0; v < V; ++v) {
-    for (int i = 0; i < 3; ++i) {
-      p[i] = T(light.vertices[v][i]) - receiver[i];
-      q[i] = T(light.vertices[(v + 1) % V][i]) - receiver[i];
-    }
-    least = min(least, detail::dot3(p, q) / max(sqrt(detail::dot3(p, p) * detail::dot3(q, q)), T(1e-30L)));
-  }
-  return max(least, T(-1));
+/// The largest angle that an edge of the polygon subtends from the receiver.
+template <int V, class T>
+T largest_arc(const PolygonLight<V, T>& light, const glm::vec<3, T>& x) {
+  const T receiver[3] = {x[0], x[1], x[2]};
+  const detail::SeenPolygon<V, T> seen(light, receiver);
+  T least_cosine = T(1);
+  for (int v = 0; v < V; ++v) least_cosine = min(least_cosine, detail::arc_cosine(seen.p[v], seen.p[(v + 1) % V]));
+  return acos(least_cosine);
 }
 
 /// Coefficients at the receiver x, and their gradient by its position, within `tolerance` of the largest coefficient.
 template <int N, int V, class T>
 ShGradient<N, T> project_with_gradient(const PolygonLight<V, T>& light, const glm::vec<3, T>& x,
                                        double tolerance = 1e-6) {
-  const T arc = acos(least_arc_cosine(light, x[0], x[1], x[2]));
-  const QuadratureRule rule = gauss_legendre(edge_nodes(N, static_cast<double>(arc), tolerance));
+  const QuadratureRule rule = gauss_legendre(edge_nodes(N, static_cast<double>(largest_arc(light, x)), tolerance));
   ShGradient<N, T> sh;
   finish<N>(polygon_sums<N>(light, rule, x[0], x[1], x[2]), detail::into(sh));
   return sh;

@@ -86,6 +86,14 @@ struct Packet {
     for (int i = 0; i < K * W / Registers::step; ++i) r.lanes.values[i] = lanes.values[i % (W / Registers::step)];
     return r;
   }
+  /// K packets side by side.
+  template <int K>
+  ZONAL_INLINE static Packet side_by_side(const Packet<T, W / K> (&parts)[std::size_t{K}]) {
+    Packet r;
+    constexpr int count = W / K / Registers::step;
+    for (int i = 0; i < W / Registers::step; ++i) r.lanes.values[i] = parts[i / count].lanes.values[i % count];
+    return r;
+  }
   ZONAL_INLINE void store(T* values) const {
     for (int i = 0; i < W / Registers::step; ++i) {
       Eigen::internal::pstoreu(values + i * Registers::step, lanes.values[i]);

@@ -12,8 +12,11 @@
 #include <cstddef>
 #include <random>
 
+#include <zonal/basis/angular_gradient.hpp>
 #include <zonal/basis/evaluate.hpp>
+#include <zonal/basis/gradient.hpp>
 #include <zonal/basis/polynomial.hpp>
+#include <zonal/basis/polynomial_gradient.hpp>
 #include <zonal/lobe/cap.hpp>
 #include <zonal/lobe/cap_closed_form.hpp>
 #include <zonal/lobe/cap_reference.hpp>
@@ -57,6 +60,83 @@ struct Polynomial : Directions {
     return zonal::reference::evaluate_polynomial<N>(direction);
   }
 };
+
+// ---- Value and gradient
+
+// What a kernel gives, as one run of numbers: of the structures below, Sh after Sh.
+template <int N, class T, std::size_t Size, class Structure>
+struct Numbers : Structure {
+  const T* begin() const { return reinterpret_cast<const T*>(static_cast<const Structure*>(this)); }
+  const T* end() const { return begin() + Size * std::size_t{N * N}; }
+};
+template <int N, class T>
+using GradientNumbers = Numbers<N, T, 4, zonal::ShGradient<N, T>>;
+template <int N, class T>
+using AngularNumbers = Numbers<N, T, 3, zonal::reference::AngularGradient<N, T>>;
+
+template <int N>
+struct Gradient : Directions {
+  static constexpr const char* name = "gradient";
+  static constexpr int bands = N;
+  template <class T>
+  static auto run(const std::array<T, 3>& direction) {
+    return GradientNumbers<N, T>{zonal::evaluate_with_gradient<N>(direction)};
+  }
+};
+
+template <int N>
+struct PolynomialGradient : Directions {
+  static constexpr const char* name = "polynomial-gradient";
+  static constexpr int bands = N;
+  template <class T>
+  static auto run(const std::array<T, 3>& direction) {
+    return GradientNumbers<N, T>{zonal::reference::evaluate_polynomial_with_gradient<N>(direction)};
+  }
+};
+
+template <int N>
+struct SloanLikeAngular : Directions {
+  static constexpr const char* name = "sloan-like-angular";
+  static constexpr int bands = N;
+  template <class T>
+  static auto run(const std::array<T, 3>& direction) {
+    return AngularNumbers<N, T>{zonal::reference::angular_gradient_sloan_like<N>(direction)};
+  }
+};
+
+template <int N>
+struct SloanLike : Directions {
+  static constexpr const char* name = "sloan-like";
+  static constexpr int bands = N;
+  template <class T>
+  static auto run(const std::array<T, 3>& v) {
+    using namespace zonal::reference;
+    return GradientNumbers<N, T>{to_cartesian(angular_gradient_sloan_like<N>(v), v)};
+  }
+};
+
+template <int N>
+struct DirectAngular : Directions {
+  static constexpr const char* name = "direct-angular";
+  static constexpr int bands = N;
+  template <class T>
+  static auto run(const std::array<T, 3>& direction) {
+    return AngularNumbers<N, T>{zonal::reference::angular_gradient_direct<N>(direction)};
+  }
+};
+
+template <int N>
+struct Direct : Directions {
+  static constexpr const char* name = "direct";
+  static constexpr int bands = N;
+  template <class T>
+  static auto run(const std::array<T, 3>& v) {
+    using namespace zonal::reference;
+    return GradientNumbers<N, T>{to_cartesian(angular_gradient_direct<N>(v), v)};
+  }
+};
+
+// ---- Lobes
 
 // Cosine and sine of half angles from 0 to 90 degrees: what a sphere covers, seen from outside.
 struct Caps {
@@ -145,6 +225,22 @@ void for_cap_kernels(Visit&& visit) {
 template <class Visit>
 void for_orient_kernels(Visit&& visit) {
   for_ten_bands<Orient>(visit);
+}
+
+/// The bands of the gradient paper's Table 1.
+inline constexpr std::array gradient_bands{3, 4, 5, 6, 8, 10};
+
+template <class Visit>
+void for_gradient_kernels(Visit&& visit) {
+  zonal::unroll<0, static_cast<int>(gradient_bands.size())>([&](auto i) {
+    constexpr int n = gradient_bands[std::size_t{i}];
+    visit(Gradient<n>{});
+    visit(PolynomialGradient<n>{});
+    visit(SloanLikeAngular<n>{});
+    visit(SloanLike<n>{});
+    visit(DirectAngular<n>{});
+    visit(Direct<n>{});
+  });
 }
 
 }  // namespace zonal_bench

@@ -1,12 +1,12 @@
 // zonal-bench                  Google Benchmark, with all its flags
-// zonal-bench --table          HVL Fig. 6 as a table
-// zonal-bench --table=quick    the same table, of times that mean nothing
+// zonal-bench --table          the papers' tables
+// zonal-bench --table=quick    the same tables, of times that mean nothing
 
 #include <string_view>
 #include <vector>
 
 #include "bench.hpp"
-#include "table.hpp"
+#include "table_reporter.hpp"
 
 int main(int argc, char** argv) {
   using namespace zonal_bench;
@@ -32,6 +32,8 @@ int main(int argc, char** argv) {
   register_cap(effort);
   register_orient(effort);
   register_gather(effort);
+  register_gradient(effort);
+  register_grid(effort);
   benchmark::Initialize(&count, arguments.data());
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
   if (is_table) {

@@ -29,6 +29,7 @@ Counts count_all() {
   for_cap_kernels(count);
   for_orient_kernels(count);
   for_gather_kernels(count);
+  for_gradient_kernels(count);
   return counts;
 }
 

@@ -1,45 +1,14 @@
-#include "table.hpp"
-
+// HVL Fig. 6: the operations of the zonal cap, and of what goes with it.
 #include <algorithm>
 #include <array>
-#include <cstddef>
-#include <cstdio>
-#include <fstream>
-#include <map>
 #include <ostream>
 #include <string>
 #include <vector>
 
-#include "bench.hpp"
+#include "tables.hpp"
 
 namespace zonal_bench {
 namespace {
-
-// What was measured under one name.
-struct Result {
-  std::array<int, operation_counters.size()> counts{};
-  int lanes = 1;
-  std::vector<double> seconds;  // per item, one for each run
-
-  int operations() const {
-    int sum = 0;
-    for (int count : counts) sum += count;
-    return sum;
-  }
-  double median_ns() const {
-    std::vector<double> sorted = seconds;
-    std::sort(sorted.begin(), sorted.end());
-    return 1e9 * (sorted[sorted.size() / 2] + sorted[(sorted.size() - 1) / 2]) / 2;
-  }
-};
-
-// By the benchmark's name, with its argument; what a filter has left out is not there.
-using Results = std::map<std::string, Result>;
-
-const Result* find(const Results& results, const std::string& name) {
-  const auto entry = results.find(name);
-  return entry == results.end() ? nullptr : &entry->second;
-}
 
 constexpr int last_bands = 10;
 constexpr int example_bands = 5;  // at which the kinds of operations are listed
@@ -54,43 +23,6 @@ constexpr std::array columns{Column{"evaluate", "evaluate", ""},
                              Column{"cap Eq. 14", "cap-legendre", ""},
                              Column{"cap closed", "cap-closed", ""},
                              Column{"light", "gather-smoothstep-3", "/400"}};
-
-template <class... Arguments>
-std::string format(const char* pattern, Arguments... arguments) {
-  char text[128];
-  std::snprintf(text, sizeof text, pattern, arguments...);
-  return text;
-}
-
-std::string processor() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);) {
-    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
-  }
-  return "unknown processor";
-}
-
-// Of what this processor has, the part that the compiler was told to use.
-std::string instruction_set() {
-  std::string set;
-#if defined(__AVX512F__)
-  set += ", AVX-512";
-#elif defined(__AVX__)
-  set += ", AVX";
-#endif
-#if defined(__FMA__)
-  set += ", FMA";
-#endif
-  return set;
-}
-
-void print_heading(std::ostream& out, const Results& results) {
-  std::size_t runs = 0;
-  for (const auto& [name, result] : results) runs = std::max(runs, result.seconds.size());
-  out << "HVL Fig. 6: operations, counted by the recorder, and ns per direction, cap or light\n"
-      << ZONAL_BENCH_COMPILER << instruction_set() << "\n"
-      << processor() << ", one thread, " << (runs > 1 ? format("median of %zu runs", runs) : "a single run") << "\n";
-}
 
 void print_scalar(std::ostream& out, const Results& results, const std::string& scalar) {
   const auto result = [&](const Column& column, int bands) {
@@ -170,40 +102,13 @@ void print_crossover(std::ostream& out, const Results& results) {
       << bands << " bands.\n";
 }
 
-class TableReporter : public benchmark::BenchmarkReporter {
- public:
-  bool ReportContext(const Context&) override { return true; }
-
-  void ReportRuns(const std::vector<Run>& runs) override {
-    for (const Run& run : runs) {
-      // Neither Google Benchmark's own medians, nor what has failed.
-      if (run.run_type != Run::RT_Iteration || run.counters.count(time_counter) == 0) continue;
-      const auto& name = run.run_name;
-      Result& result = results_[name.args.empty() ? name.function_name : name.function_name + "/" + name.args];
-      const auto counter = [&](const char* key) { return run.counters.at(key).value; };
-      for (std::size_t i = 0; i < operation_counters.size(); ++i) {
-        result.counts[i] = static_cast<int>(counter(operation_counters[i]));
-      }
-      result.lanes = static_cast<int>(counter(lanes_counter));
-      result.seconds.push_back(counter(time_counter));
-    }
-  }
-
-  void Finalize() override {
-    auto& out = GetOutputStream();
-    print_heading(out, results_);
-    for (const char* scalar : {"float", "double", "packet"}) print_scalar(out, results_, scalar);
-    print_kinds(out, results_);
-    print_crossover(out, results_);
-    out.flush();
-  }
-
- private:
-  Results results_;
-};
-
 }  // namespace
 
-std::unique_ptr<benchmark::BenchmarkReporter> make_table_reporter() { return std::make_unique<TableReporter>(); }
+void print_hvl_figure_6(std::ostream& out, const Results& results) {
+  out << "HVL Fig. 6: operations, counted by the recorder, and ns per direction, cap or light, one thread\n";
+  for (const char* scalar : {"float", "double", "packet"}) print_scalar(out, results, scalar);
+  print_kinds(out, results);
+  print_crossover(out, results);
+}
 
 }  // namespace zonal_bench

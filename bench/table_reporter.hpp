@@ -1,4 +1,4 @@
-// HVL Fig. 6 as a plain table, in place of Google Benchmark's listing.
+// All tables as plain text, in place of Google Benchmark's listing.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -7,7 +7,7 @@
 
 namespace zonal_bench {
 
-/// Collects all runs, and prints their medians after the last.
+/// Collects all runs, and prints the tables after the last.
 std::unique_ptr<benchmark::BenchmarkReporter> make_table_reporter();
 
 }  // namespace zonal_bench

@@ -1,0 +1,18 @@
+// The papers' tables, with what was measured here in place of, or beside, what they print.
+#pragma once
+
+#include <ostream>
+
+#include "results.hpp"
+
+namespace zonal_bench {
+
+/// Harmonics Virtual Lights, CGF 41(6), 2022.
+void print_hvl_figure_6(std::ostream& out, const Results& results);
+
+/// Recursive analytic spherical harmonics gradient for spherical lights, CGF 41(2), 2022.
+void print_gradient_table_1(std::ostream& out, const Results& results);
+void print_gradient_table_2(std::ostream& out, const Results& results);
+void print_gradient_figure_15(std::ostream& out);
+
+}  // namespace zonal_bench

@@ -3,7 +3,7 @@
 // One direction fills one lane of a packet. But the coefficients of a degree lie side by side, and those of its
 // neighbours too, each at a fixed offset: written as loops over them, with the constants of the ladder in tables of the
 // same order, the compiler computes eight and more at once. Against the kernel that it hands out one by one
-// (evaluate_with_gradient with a sink), in float with AVX-512: 65 ns for 145 at 10 bands, 23 for 33 at 5.
+// (evaluate_with_gradient with a sink), in float with AVX-512: 76 ns for 140 at 10 bands, 26 for 28 at 5.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace zonal {
 namespace detail {
 
 // Below, the loops are too short.
-inline constexpr int least_bands_in_rows = 4;
+inline constexpr int least_bands_in_rows = 5;
 // Loops run on to a multiple of this, into the next degree, which overwrites it.
 inline constexpr int row_step = 8;
 

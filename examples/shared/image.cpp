@@ -29,6 +29,15 @@ double mean_square_difference(const Image& a, const Image& b) {
   return sum / (3.0 * static_cast<double>(a.pixels.size()));
 }
 
+double mean_absolute_difference(const Image& a, const Image& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    const glm::dvec3 difference = glm::abs(glm::dvec3(a.pixels[i]) - glm::dvec3(b.pixels[i]));
+    sum += difference.r + difference.g + difference.b;
+  }
+  return sum / (3.0 * static_cast<double>(a.pixels.size()));
+}
+
 double mean(const Image& image) {
   double sum = 0.0;
   for (const glm::vec3& pixel : image.pixels) sum += static_cast<double>(pixel.r + pixel.g + pixel.b);
@@ -80,6 +89,30 @@ Plane blur(const Plane& plane) {
   });
 }
 
+Image transpose(const Image& image) {
+  Image result(image.height, image.width);
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) result.at(y, x) = image.at(x, y);
+  }
+  return result;
+}
+
+/// As many rows as asked for, each the mean of what it covers.
+Image resample_rows(const Image& image, int rows) {
+  Image result(image.width, rows);
+  const double step = static_cast<double>(image.height) / rows;
+  for (int row = 0; row < rows; ++row) {
+    const double begin = row * step, end = begin + step;
+    const int last = std::min(image.height, static_cast<int>(std::ceil(end)));
+    for (int y = static_cast<int>(begin); y < last; ++y) {
+      const double covered = std::min(end, y + 1.0) - std::max(begin, static_cast<double>(y));
+      const auto weight = static_cast<float>(covered / step);
+      for (int x = 0; x < image.width; ++x) result.at(x, row) += weight * image.at(x, y);
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 glm::vec3 encode(const glm::vec3& radiance, const Display& display) {
@@ -93,6 +126,13 @@ Image encode(const Image& radiance, const Display& display) {
   Image encoded(radiance.width, radiance.height);
   for (std::size_t i = 0; i < radiance.pixels.size(); ++i) encoded.pixels[i] = encode(radiance.pixels[i], display);
   return encoded;
+}
+
+glm::vec3 decode_srgb(const glm::vec3& encoded) {
+  const auto decode = [](float value) {
+    return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
+  };
+  return {decode(encoded.r), decode(encoded.g), decode(encoded.b)};
 }
 
 std::size_t blacken_non_finite(Image& image) {
@@ -137,7 +177,10 @@ ImageErrors compare(const Image& image, const Image& reference, const Display& d
   errors.rmse = std::sqrt(mean_square);
   errors.psnr = -10.0 * std::log10(mean_square);
   errors.ssim = structural_similarity(shown, shown_reference);
-  errors.linear_rmse = std::sqrt(mean_square_difference(image, reference)) / mean(reference);
+  errors.mae = mean_absolute_difference(shown, shown_reference);
+  const double reference_mean = mean(reference);
+  errors.linear_rmse = std::sqrt(mean_square_difference(image, reference)) / reference_mean;
+  errors.linear_mae = mean_absolute_difference(image, reference) / reference_mean;
   return errors;
 }
 
@@ -152,6 +195,19 @@ Image difference_map(const Image& image, const Image& reference, const Display& 
     map.pixels[i] = glm::mix(zero, difference > 0.0 ? brighter : darker, share);
   }
   return map;
+}
+
+Image amplified_difference(const Image& image, const Image& reference, const Display& display, float factor) {
+  Image map(image.width, image.height);
+  for (std::size_t i = 0; i < map.pixels.size(); ++i) {
+    map.pixels[i] = factor * glm::abs(encode(image.pixels[i], display) - encode(reference.pixels[i], display));
+  }
+  return map;
+}
+
+Image resample(const Image& picture, int width, int height) {
+  const Image columns = resample_rows(picture, height);
+  return transpose(resample_rows(transpose(columns), width));
 }
 
 }  // namespace example

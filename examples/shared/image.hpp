@@ -39,6 +39,9 @@ struct Display {
 glm::vec3 encode(const glm::vec3& radiance, const Display& display);
 Image encode(const Image& radiance, const Display& display);
 
+/// Linear values of sRGB-encoded ones.
+glm::vec3 decode_srgb(const glm::vec3& encoded);
+
 /// Replaces pixels that are not finite by black and returns how many there were.
 std::size_t blacken_non_finite(Image& image);
 
@@ -47,7 +50,9 @@ struct ImageErrors {
   double rmse = 0.0;         // of display values in [0, 1]
   double psnr = 0.0;         // dB, of the same; infinite for equal images
   double ssim = 0.0;         // of their luma; not a number for images smaller than the window
+  double mae = 0.0;          // mean absolute error, of display values in [0, 1]
   double linear_rmse = 0.0;  // of radiance, in units of the reference's mean
+  double linear_mae = 0.0;   // the same
 };
 
 ImageErrors compare(const Image& image, const Image& reference, const Display& display);
@@ -62,5 +67,11 @@ constexpr float difference_full_scale = 0.25f;
 /// Signed difference of display luma as a heat map: red where `image` is brighter, blue where darker. Returns
 /// display values.
 Image difference_map(const Image& image, const Image& reference, const Display& display);
+
+/// Absolute difference of display values, channel by channel, amplified. Returns display values.
+Image amplified_difference(const Image& image, const Image& reference, const Display& display, float factor);
+
+/// The mean of the picture over each cell of a grid of this size.
+Image resample(const Image& picture, int width, int height);
 
 }  // namespace example

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <vector>
 
@@ -12,12 +13,31 @@
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfStdIO.h>
+#include <stb_image.h>
 #include <stb_image_write.h>
 
 #include "input_error.hpp"
 
 namespace example {
 namespace {
+
+/// What stb_image gives is freed by it.
+template <class Sample>
+using StbSamples = std::unique_ptr<Sample, decltype(&stbi_image_free)>;
+
+/// load(path, width, height) of stb_image, and what a sample stands for.
+template <class Sample, class Value>
+Image read_by_stb(const std::string& path, Sample* (*load)(const char*, int*, int*, int*, int), const Value& value) {
+  int width = 0, height = 0, channels = 0;
+  const StbSamples<Sample> samples(load(path.c_str(), &width, &height, &channels, 3), &stbi_image_free);
+  if (!samples) throw InputError(path + ": cannot be read as a picture (" + one_line(stbi_failure_reason()) + ")");
+  Image image(width, height);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const Sample* pixel = samples.get() + 3 * i;
+    image.pixels[i] = value(glm::vec3(pixel[0], pixel[1], pixel[2]));
+  }
+  return image;
+}
 
 constexpr std::array<const char*, 3> channel_names{"R", "G", "B"};
 
@@ -97,6 +117,16 @@ Image read_exr(const std::filesystem::path& path) {
   } catch (const std::exception& error) {
     throw InputError(path.string() + ": cannot be read as OpenEXR (" + one_line(error.what()) + ")");
   }
+}
+
+Image read_picture(const std::filesystem::path& path) {
+  if (path.extension() == ".exr") return read_exr(path);
+  check_is_file(path);
+  const std::string name = path.string();
+  if (stbi_is_hdr(name.c_str()) != 0) {
+    return read_by_stb<float>(name, stbi_loadf, [](const glm::vec3& radiance) { return radiance; });
+  }
+  return read_by_stb<stbi_uc>(name, stbi_load, [](const glm::vec3& bytes) { return decode_srgb(bytes / 255.0f); });
 }
 
 }  // namespace example

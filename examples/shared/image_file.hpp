@@ -19,4 +19,7 @@ std::string picture_bytes(const std::filesystem::path& path, const Image& radian
 /// Throws InputError unless an RGB image can be read.
 Image read_exr(const std::filesystem::path& path);
 
+/// EXR by its extension; else what stb_image reads, PNG, JPEG and HDR among it. Linear radiance. Throws InputError.
+Image read_picture(const std::filesystem::path& path);
+
 }  // namespace example

@@ -138,8 +138,10 @@ void fit_view(Scene& scene, const Bounds& bounds) {
   scene.light.axis = glm::normalize(centre - scene.light.position);
   scene.light.half_angle = glm::radians(54.0f);
   scene.light.edge = 0.5f;
-  // White surfaces that face the light at the target reflect a radiance of about 1.
+  const glm::vec3 across = glm::normalize(glm::cross(scene.light.axis, glm::vec3(0.0f, 1.0f, 0.0f)));
   const float distance = glm::distance(centre, scene.light.position);
+  scene.panel = {scene.light.position, radius * across, radius * glm::cross(across, scene.light.axis), distance};
+  // White surfaces that face the light at the target reflect a radiance of about 1.
   scene.light.intensity = glm::vec3(glm::pi<float>() * distance * distance);
 }
 

@@ -9,6 +9,7 @@
 #include <zonal/material/brdf.hpp>
 
 #include "camera.hpp"
+#include "light_panel.hpp"
 #include "spotlight.hpp"
 
 namespace example {
@@ -40,6 +41,7 @@ struct Scene {
   std::vector<Material> materials;
   Camera camera;
   Spotlight light;
+  LightPanel panel;
   std::vector<std::string> warnings;  // what of a file is left out, a line each
 };
 

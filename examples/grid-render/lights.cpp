@@ -26,7 +26,8 @@ glm::vec3 hue_colour(float hue) {
 void set_brightness(SphereLights& lights, float distance) {
   double sum = 0.0;
   for (const auto& [light, colour] : lights) {
-    sum += static_cast<double>(light.radius * light.radius * (colour.r + colour.g + colour.b)) / 3.0;
+    const glm::dvec3 rgb(colour);
+    sum += static_cast<double>(light.radius * light.radius) * (rgb.r + rgb.g + rgb.b) / 3.0;
   }
   const auto factor = static_cast<float>(static_cast<double>(distance * distance) / sum);
   for (auto& light : lights) light.colour *= factor;

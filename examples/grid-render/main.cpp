@@ -175,12 +175,17 @@ Scene load_scene(const Options& options) {
   return scene;
 }
 
+/// A flat scene has a box too.
+Bounds grid_box(const Bounds& bounds) {
+  const glm::vec3 margin = glm::vec3(1e-3f * bounds.radius());
+  return {bounds.lower - margin, bounds.upper + margin};
+}
+
 void run(const Options& options) {
   Report report;
   report.options = options;
   const ThreadLimit limit(options.threads);
-  report.machine_cores = limit.machine_cores();
-  report.threads = limit.threads();
+  report.machine = limit.machine();
   report.passes = passes_of(options);
 
   // All that can be wrong with the input comes to light before the work begins.
@@ -189,7 +194,7 @@ void run(const Options& options) {
   const Outputs outputs(options, report.passes);
 
   const RayCaster caster = report.times.time(stage_name::scene, [&] { return RayCaster(scene); });
-  report.box = bounds_of(scene.mesh);
+  report.box = grid_box(bounds_of(scene.mesh));
   const auto pixels = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
   report.counts = {scene.mesh.triangles.size(),
                    scene.materials.size(),
@@ -209,11 +214,5 @@ void run(const Options& options) {
 
 int main(int argc, char** argv) {
   using namespace example::grid_render;
-  return example::run_program(program_name, [&] {
-    const CommandLine line = parse_command_line(argc, argv);
-    if (line.exit_status) return *line.exit_status;
-    example::listen_for_interrupts();
-    run(line.options);
-    return 0;
-  });
+  return example::run_program(program_name, argc, argv, parse_command_line, run);
 }

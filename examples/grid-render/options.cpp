@@ -23,9 +23,9 @@ bool parse_resolution(const std::string& text, std::array<int, 3>& resolution) {
 CLI::Validator grid_resolution() {
   return validator([](const std::string& text) -> std::string {
     std::array<int, 3> resolution{};
-    const auto possible = [](int vertices) { return vertices >= 2 && vertices <= 64; };
+    const auto possible = [](int vertices) { return vertices >= 2 && vertices <= 32; };
     const bool good = parse_resolution(text, resolution) && std::all_of(resolution.begin(), resolution.end(), possible);
-    return good ? "" : "'" + text + "' is not a resolution such as 8 or 8x8x8, each number 2 to 64";
+    return good ? "" : "'" + text + "' is not a resolution such as 8 or 8x8x8, each number 2 to 32";
   });
 }
 
@@ -87,8 +87,8 @@ void add_grid_options(CLI::App& app, Options& options) {
 
 }  // namespace
 
-CommandLine parse_command_line(int argc, char** argv) {
-  CommandLine line;
+CommandLine<Options> parse_command_line(int argc, char** argv) {
+  CommandLine<Options> line;
   CLI::App app(
       "Renders a scene lit by many sphere lights: their spherical harmonics and the gradients,\n"
       "computed at the vertices of a 3D grid and interpolated between. No light casts a shadow.",

@@ -29,12 +29,7 @@ struct Options : CommonOptions {
   Method method = zonal::Interpolation::hermite;
 };
 
-struct CommandLine {
-  Options options;
-  std::optional<int> exit_status;  // set where --help has said all
-};
-
 /// Throws InputError with one line about what is wrong.
-CommandLine parse_command_line(int argc, char** argv);
+CommandLine<Options> parse_command_line(int argc, char** argv);
 
 }  // namespace example::grid_render

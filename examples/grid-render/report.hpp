@@ -53,10 +53,9 @@ struct Report {
   Options options;
   StageTimes times;
   Counts counts;
-  int threads = 0;
-  int machine_cores = 0;
+  Machine machine;
   Bounds box;                // of the grids
-  std::vector<Pass> passes;  // comparing, the first is the reference
+  std::vector<Pass> passes;  // comparing, the reference, trilinear, and others
 };
 
 /// How much brighter than the differences of display values their pictures are.

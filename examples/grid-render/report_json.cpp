@@ -32,16 +32,19 @@ nlohmann::json counts_json(const Counts& counts) {
           {"pixels_not_finite", counts.pixels_not_finite}};
 }
 
-nlohmann::json errors_json(const ImageErrors& errors) {
+nlohmann::json errors_json(const ImageErrors& errors, const ImageErrors& trilinear) {
   return {{"mae", number_or_null(errors.mae)},
+          {"mae_over_trilinear", number_or_null(errors.mae / trilinear.mae)},
           {"rmse", number_or_null(errors.rmse)},
           {"psnr_db", number_or_null(errors.psnr)},
           {"ssim", number_or_null(errors.ssim)},
           {"linear_mae_relative_to_mean", number_or_null(errors.linear_mae)},
+          {"linear_mae_relative_to_mean_over_trilinear", number_or_null(errors.linear_mae / trilinear.linear_mae)},
           {"linear_rmse_relative_to_mean", number_or_null(errors.linear_rmse)}};
 }
 
-nlohmann::json pass_json(const Pass& pass, const Pass& first) {
+/// Comparing, the first two passes are the reference and the trilinear one.
+nlohmann::json pass_json(const Pass& pass, const std::vector<Pass>& passes) {
   nlohmann::json json{{"interpolation", name_of(method_names, pass.method)}, {"shading_seconds", pass.seconds}};
   if (pass.grid) {
     json["grid"] = {{"resolution", vector_json(pass.grid->resolution)},
@@ -49,8 +52,8 @@ nlohmann::json pass_json(const Pass& pass, const Pass& first) {
                     {"seconds", pass.grid->seconds}};
   }
   if (pass.errors) {
-    json["errors"] = errors_json(*pass.errors);
-    json["speed_up"] = number_or_null(first.total() / pass.total());
+    json["errors"] = errors_json(*pass.errors, *passes[1].errors);
+    json["speed_up"] = number_or_null(passes[0].total() / pass.total());
   }
   return json;
 }
@@ -58,13 +61,10 @@ nlohmann::json pass_json(const Pass& pass, const Pass& first) {
 }  // namespace
 
 std::string json_text(const Report& report) {
-  nlohmann::json json;
-  json["options"] = options_json(report.options);
-  json["machine"] = {{"cores", report.machine_cores}, {"threads", report.threads}};
-  json["counts"] = counts_json(report.counts);
-  json["seconds"] = times_json(report.times);
+  nlohmann::json json =
+      report_json(options_json(report.options), counts_json(report.counts), report.machine, report.times);
   json["box"] = {{"lower", vector_json(report.box.lower)}, {"upper", vector_json(report.box.upper)}};
-  for (const Pass& pass : report.passes) json["passes"][pass.name] = pass_json(pass, report.passes.front());
+  for (const Pass& pass : report.passes) json["passes"][pass.name] = pass_json(pass, report.passes);
   if (report.options.comparing()) {
     json["equal_time_resolution"] = number_or_null(equal_time_resolution(report));
     json["difference_pictures"] = {{"quantity", "absolute difference of display values"},

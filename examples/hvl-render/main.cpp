@@ -173,8 +173,7 @@ void run(const Options& options) {
   Report report;
   report.options = options;
   const ThreadLimit limit(options.threads);
-  report.machine_cores = limit.machine_cores();
-  report.threads = limit.threads();
+  report.machine = limit.machine();
 
   // All that can be wrong with the input comes to light before the work begins.
   const std::optional<Image> reference = load_reference(options);
@@ -203,11 +202,5 @@ void run(const Options& options) {
 
 int main(int argc, char** argv) {
   using namespace example::hvl_render;
-  return example::run_program(program_name, [&] {
-    const CommandLine line = parse_command_line(argc, argv);
-    if (line.exit_status) return *line.exit_status;
-    example::listen_for_interrupts();
-    run(line.options);
-    return 0;
-  });
+  return example::run_program(program_name, argc, argv, parse_command_line, run);
 }

@@ -94,8 +94,8 @@ void add_path_options(CLI::App& app, Options& options) {
 
 }  // namespace
 
-CommandLine parse_command_line(int argc, char** argv) {
-  CommandLine line;
+CommandLine<Options> parse_command_line(int argc, char** argv) {
+  CommandLine<Options> line;
   CLI::App app(
       "Renders a scene lit by one spotlight: direct light, and one bounce by Harmonics\n"
       "Virtual Lights or by paths.",

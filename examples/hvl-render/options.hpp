@@ -48,12 +48,7 @@ struct Options : CommonOptions {
   bool needs_paths() const { return comparing() || method == Method::path; }
 };
 
-struct CommandLine {
-  Options options;
-  std::optional<int> exit_status;  // set where --help has said all
-};
-
 /// Throws InputError with one line about what is wrong.
-CommandLine parse_command_line(int argc, char** argv);
+CommandLine<Options> parse_command_line(int argc, char** argv);
 
 }  // namespace example::hvl_render

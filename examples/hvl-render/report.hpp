@@ -37,8 +37,7 @@ struct Report {
   Options options;
   StageTimes times;
   Counts counts;
-  int threads = 0;
-  int machine_cores = 0;
+  Machine machine;
   double material_error = 0.0;        // greatest of the projections, of each table's largest coefficient
   std::optional<ImageErrors> errors;  // where there was something to compare with
 };

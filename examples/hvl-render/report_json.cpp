@@ -61,11 +61,8 @@ nlohmann::json counts_json(const Counts& counts) {
 }  // namespace
 
 std::string json_text(const Report& report) {
-  nlohmann::json json;
-  json["options"] = options_json(report.options);
-  json["machine"] = {{"cores", report.machine_cores}, {"threads", report.threads}};
-  json["counts"] = counts_json(report.counts);
-  json["seconds"] = times_json(report.times);
+  nlohmann::json json =
+      report_json(options_json(report.options), counts_json(report.counts), report.machine, report.times);
   if (report.options.needs_lights()) {
     json["material_projection_error"] = report.material_error;
     json["gather_ns_per_hit_and_light"] = nanoseconds_per_gather(report);

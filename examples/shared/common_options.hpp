@@ -36,4 +36,10 @@ struct CommonOptions {
   bool comparing() const { return !compare_directory.empty(); }
 };
 
+template <class Options>
+struct CommandLine {
+  Options options;
+  std::optional<int> exit_status;  // set where --help has said all
+};
+
 }  // namespace example

@@ -6,7 +6,6 @@
 #include <tbb/info.h>
 
 #include "input_error.hpp"
-#include "interrupt.hpp"
 
 namespace example {
 namespace {
@@ -16,7 +15,7 @@ constexpr int exit_by_signal = 128;  // and the signal's number, as of a shell
 
 }  // namespace
 
-int run_program(const char* name, const std::function<int()>& body) {
+int report_errors(const char* name, const std::function<int()>& body) {
   try {
     return body();
   } catch (const Interrupted&) {
@@ -47,8 +46,7 @@ std::size_t repair(const char* program, const std::vector<Image*>& pictures) {
 }
 
 ThreadLimit::ThreadLimit(int threads)
-    : machine_cores_(tbb::info::default_concurrency()),
-      threads_(threads > 0 ? threads : machine_cores_),
-      control_(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads_)) {}
+    : machine_{tbb::info::default_concurrency(), threads > 0 ? threads : tbb::info::default_concurrency()},
+      control_(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(machine_.threads)) {}
 
 }  // namespace example

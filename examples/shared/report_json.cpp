@@ -38,10 +38,13 @@ nlohmann::json common_options_json(const CommonOptions& options) {
   };
 }
 
-nlohmann::json times_json(const StageTimes& times) {
-  nlohmann::json json;
-  for (const auto& [stage, seconds] : times.stages()) json[stage] = seconds;
-  json["total"] = times.total();
+nlohmann::json report_json(const nlohmann::json& options, const nlohmann::json& counts, const Machine& machine,
+                           const StageTimes& times) {
+  nlohmann::json json{{"options", options},
+                      {"machine", {{"cores", machine.cores}, {"threads", machine.threads}}},
+                      {"counts", counts},
+                      {"seconds", {{"total", times.total()}}}};
+  for (const auto& [stage, seconds] : times.stages()) json["seconds"][stage] = seconds;
   return json;
 }
 

@@ -22,7 +22,9 @@ nlohmann::json camera_json(const CameraOverrides& camera);
 /// All but the camera and the output.
 nlohmann::json common_options_json(const CommonOptions& options);
 
-nlohmann::json times_json(const StageTimes& times);
+/// What every report begins with.
+nlohmann::json report_json(const nlohmann::json& options, const nlohmann::json& counts, const Machine& machine,
+                           const StageTimes& times);
 
 /// The text of a file.
 std::string file_text(const nlohmann::json& json);

@@ -7,6 +7,12 @@
 
 namespace example {
 
+/// What a run had at its disposal.
+struct Machine {
+  int cores = 0;
+  int threads = 0;
+};
+
 /// Wall-clock seconds of the stages of a run, in the order in which they first ran.
 class StageTimes {
  public:

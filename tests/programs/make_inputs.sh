@@ -12,3 +12,4 @@ mkfifo pipe
 "$program" --quiet --scene box.obj --lights 1 --size 16x12 --out reference.exr
 "$program" --quiet --scene box.obj --lights 1 --size 12x16 --out other_size.exr
 head -c 600 reference.exr >truncated.exr
+"$program" --quiet --scene box.obj --lights 1 --size 16x12 --exposure -30 --out black.png

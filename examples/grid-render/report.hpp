@@ -14,10 +14,8 @@ namespace example::grid_render {
 
 /// The stages of a run, beside those of each pass, as the report names them.
 namespace stage_name {
-inline constexpr const char* scene = "scene and BVH";
+using namespace example::stage_name;
 inline constexpr const char* lights = "lights";
-inline constexpr const char* materials = "material projection";
-inline constexpr const char* primary = "primary rays";
 }  // namespace stage_name
 
 /// A grid, as the report tells of it.

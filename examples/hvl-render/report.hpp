@@ -12,10 +12,8 @@ namespace example::hvl_render {
 
 /// The stages of a run, as the report names them.
 namespace stage_name {
-inline constexpr const char* scene = "scene and BVH";
-inline constexpr const char* materials = "material projection";
+using namespace example::stage_name;
 inline constexpr const char* lights = "virtual lights";
-inline constexpr const char* primary = "primary rays";
 inline constexpr const char* direct = "direct light";
 inline constexpr const char* gather = "gather";
 inline constexpr const char* paths = "paths";

@@ -7,6 +7,13 @@
 
 namespace example {
 
+/// The stages that programs have in common, as reports name them.
+namespace stage_name {
+inline constexpr const char* scene = "scene and BVH";
+inline constexpr const char* materials = "material projection";
+inline constexpr const char* primary = "primary rays";
+}  // namespace stage_name
+
 /// What a run had at its disposal.
 struct Machine {
   int cores = 0;

@@ -4,12 +4,9 @@
 
 namespace zonal_bench {
 
-std::string kernel_name(const char* name, int bands) {
-  return std::string(name) + "/" + std::to_string(bands);
-}
+std::string kernel_name(const char* name, int bands) { return std::string(name) + "/" + std::to_string(bands); }
 
-Benchmark* register_benchmark(const char* name, int bands, const char* scalar, Body body,
-                              const Effort& effort) {
+Benchmark* register_benchmark(const char* name, int bands, const char* scalar, Body body, const Effort& effort) {
   const std::string full_name = kernel_name(name, bands) + "/" + scalar;
   auto* benchmark = benchmark::RegisterBenchmark(full_name.c_str(), body);
   if (effort.seconds > 0) benchmark->MinTime(effort.seconds);
@@ -17,11 +14,9 @@ Benchmark* register_benchmark(const char* name, int bands, const char* scalar, B
   return benchmark;
 }
 
-void set_counters(benchmark::State& state, const char* name, int bands, std::size_t items,
-                  std::size_t lanes) {
+void set_counters(benchmark::State& state, const char* name, int bands, std::size_t items, std::size_t lanes) {
   const zonal::OperationCount count = operation_count(name, bands);
-  const std::array counts{count.additions, count.multiplications, count.divisions, count.functions,
-                          count.comparisons};
+  const std::array counts{count.additions, count.multiplications, count.divisions, count.functions, count.comparisons};
   for (std::size_t i = 0; i < counts.size(); ++i) state.counters[operation_counters[i]] = counts[i];
   state.counters[lanes_counter] = static_cast<double>(lanes);
   using benchmark::Counter;

@@ -40,8 +40,7 @@ using Body = void (*)(benchmark::State&);
 using Benchmark = std::remove_pointer_t<decltype(benchmark::RegisterBenchmark("", std::declval<Body>()))>;
 
 /// A benchmark "name/bands/scalar".
-Benchmark* register_benchmark(const char* name, int bands, const char* scalar, Body body,
-                              const Effort& effort);
+Benchmark* register_benchmark(const char* name, int bands, const char* scalar, Body body, const Effort& effort);
 
 /// Sets them, for the kernel of this name and bands; `items` is how many one iteration goes through.
 void set_counters(benchmark::State& state, const char* name, int bands, std::size_t items, std::size_t lanes);

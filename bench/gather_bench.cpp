@@ -34,8 +34,7 @@ MaterialTable random_material(Random& random) {
 }
 
 // Lights and receivers in a cube, facing anywhere.
-std::vector<zonal::VirtualLight> random_lights(Random& random, std::size_t count,
-                                               const MaterialTable& material) {
+std::vector<zonal::VirtualLight> random_lights(Random& random, std::size_t count, const MaterialTable& material) {
   std::vector<zonal::VirtualLight> lights(count);
   for (auto& light : lights) {
     light.position = random_point(random);
@@ -48,8 +47,7 @@ std::vector<zonal::VirtualLight> random_lights(Random& random, std::size_t count
   return lights;
 }
 
-std::vector<zonal::Receiver> random_receivers(Random& random, std::size_t count,
-                                              const MaterialTable& material) {
+std::vector<zonal::Receiver> random_receivers(Random& random, std::size_t count, const MaterialTable& material) {
   std::vector<zonal::Receiver> receivers(count);
   for (auto& receiver : receivers) {
     receiver.position = random_point(random);

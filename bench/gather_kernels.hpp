@@ -12,12 +12,9 @@ using zonal::Horizon;
 
 constexpr const char* gather_name(int emission_bands, Horizon horizon) {
   switch (horizon) {
-    case Horizon::none:
-      return "gather-none-3";
-    case Horizon::smoothstep:
-      return emission_bands == 1 ? "gather-smoothstep-1" : "gather-smoothstep-3";
-    case Horizon::exact:
-      break;
+    case Horizon::none: return "gather-none-3";
+    case Horizon::smoothstep: return emission_bands == 1 ? "gather-smoothstep-1" : "gather-smoothstep-3";
+    case Horizon::exact: break;
   }
   return "gather-exact-3";
 }

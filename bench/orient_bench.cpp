@@ -1,6 +1,4 @@
 // A zonal lobe turned to an axis.
 #include "run_kernel.hpp"
 
-void zonal_bench::register_orient(const Effort& effort) {
-  for_orient_kernels(RegisterKernel{effort});
-}
+void zonal_bench::register_orient(const Effort& effort) { for_orient_kernels(RegisterKernel{effort}); }

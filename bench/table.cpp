@@ -89,8 +89,7 @@ void print_heading(std::ostream& out, const Results& results) {
   for (const auto& [name, result] : results) runs = std::max(runs, result.seconds.size());
   out << "HVL Fig. 6: operations, counted by the recorder, and ns per direction, cap or light\n"
       << ZONAL_BENCH_COMPILER << instruction_set() << "\n"
-      << processor() << ", one thread, " << (runs > 1 ? format("median of %zu runs", runs) : "a single run")
-      << "\n";
+      << processor() << ", one thread, " << (runs > 1 ? format("median of %zu runs", runs) : "a single run") << "\n";
 }
 
 void print_scalar(std::ostream& out, const Results& results, const std::string& scalar) {
@@ -180,8 +179,7 @@ class TableReporter : public benchmark::BenchmarkReporter {
       // Neither Google Benchmark's own medians, nor what has failed.
       if (run.run_type != Run::RT_Iteration || run.counters.count(time_counter) == 0) continue;
       const auto& name = run.run_name;
-      Result& result =
-          results_[name.args.empty() ? name.function_name : name.function_name + "/" + name.args];
+      Result& result = results_[name.args.empty() ? name.function_name : name.function_name + "/" + name.args];
       const auto counter = [&](const char* key) { return run.counters.at(key).value; };
       for (std::size_t i = 0; i < operation_counters.size(); ++i) {
         result.counts[i] = static_cast<int>(counter(operation_counters[i]));
@@ -206,8 +204,6 @@ class TableReporter : public benchmark::BenchmarkReporter {
 
 }  // namespace
 
-std::unique_ptr<benchmark::BenchmarkReporter> make_table_reporter() {
-  return std::make_unique<TableReporter>();
-}
+std::unique_ptr<benchmark::BenchmarkReporter> make_table_reporter() { return std::make_unique<TableReporter>(); }
 
 }  // namespace zonal_bench

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Writes the explicit polynomial forms of the slow reference from Rodrigues' formula, in exact rational arithmetic:
 
-    include/zonal/basis/polynomial.hpp        the real spherical harmonics
-    include/zonal/lobe/cap_closed_form.hpp    the zonal coefficients of a spherical cap
+    include/zonal/basis/polynomial.hpp             the real spherical harmonics
+    include/zonal/basis/polynomial_gradient.hpp    their derivatives by x, y and z
+    include/zonal/lobe/cap_closed_form.hpp         the zonal coefficients of a spherical cap
 
-    scripts/derive_polynomials.py             writes both
-    scripts/derive_polynomials.py --check     compares both with the files that stand there, and fails if they differ
+    scripts/derive_polynomials.py             writes all
+    scripts/derive_polynomials.py --check     compares them with the files that stand there, and fails if one differs
 
 A polynomial in one variable is the list of its coefficients, that of the power k at index k.
 """
@@ -115,17 +116,45 @@ def root(name, square):
     return f"{name}<{square.numerator}, {square.denominator}>"
 
 
-def harmonic(l, m):
-    """The factors of Y_l^m, the constant first."""
-    n = abs(m)
-    content, integers = content_and_integers(derivative(legendre(l), n))
-    square = Fraction(2 * l + 1, 4) * Fraction(math.factorial(l - n), math.factorial(l + n)) * content**2
+def product(sign, square, in_z, n, part):
+    """The factors of sign sqrt(square / pi) in_z(z) part((x + iy)^n), the constant first; None where it is zero."""
+    if sign == 0 or not any(in_z):
+        return None
+    content, integers = content_and_integers(in_z)
+    square *= content**2
     factors = in_one_variable(integers, "z")
-    if m:
-        xy_content, xy_factors = in_x_and_y(m)
-        square *= 2 * xy_content**2
+    if n:
+        xy_content, xy_factors = in_x_and_y(n if part == "re" else -n)
+        square *= xy_content**2
         factors += xy_factors
-    return [f"T({'-' if n % 2 else ''}{root('root_over_pi', square)})"] + factors
+    elif part == "im":
+        return None
+    return [f"T({'-' if sign < 0 else ''}{root('root_over_pi', square)})"] + factors
+
+
+def parts(l, m):
+    """Y_l^m = sign sqrt(square / pi) in_z(z) part((x + iy)^n)."""
+    n = abs(m)
+    square = Fraction(2 * l + 1, 4) * Fraction(math.factorial(l - n), math.factorial(l + n)) * (2 if m else 1)
+    return (-1) ** n, square, derivative(legendre(l), n), n, "im" if m < 0 else "re"
+
+
+def harmonic(l, m):
+    """The factors of Y_l^m."""
+    return product(*parts(l, m))
+
+
+def harmonic_derivative(l, m, axis):
+    """The factors of the derivative of Y_l^m, as the polynomial that it is, by x, y or z; None where it is zero."""
+    sign, square, in_z, n, part = parts(l, m)
+    if axis == 2:
+        return product(sign, square, derivative(in_z), n, part)
+    if n == 0:
+        return None
+    # d/dx (x + iy)^n = n (x + iy)^(n-1), and d/dy is i times that: Re becomes -Im, Im becomes Re.
+    if axis == 1:
+        sign, part = (-sign, "im") if part == "re" else (sign, "re")
+    return product(sign, square * n**2, in_z, n - 1, part)
 
 
 def cap(l):
@@ -175,6 +204,49 @@ constexpr Sh<N, component_t<Direction>> evaluate_polynomial(const Direction& dir
   Sh<N, T> sh{{{{}}}};
 """
 
+GRADIENT_HEAD = f"""\
+// The gradients of the explicit polynomial forms, to {BANDS} bands: the slow reference.
+// {{generated}}
+//
+// Each polynomial of polynomial.hpp, in z times Re or Im of (x + iy)^|m|, differentiated by x, y and z as it stands.
+// Away from the sphere it is one of many continuations of Y_l^m; its gradient there has a part along the direction,
+// which evaluate_with_gradient has not. across() takes it away.
+#pragma once
+
+#include "gradient.hpp"
+#include "polynomial.hpp"
+
+namespace zonal {{{{
+namespace reference {{{{
+
+/// Value and gradient of the explicit polynomials, 1 <= N <= {BANDS}, at a unit vector.
+template <int N, class Direction>
+constexpr ShGradient<N, component_t<Direction>> evaluate_polynomial_with_gradient(const Direction& direction) {{{{
+  static_assert(1 <= N && N <= {BANDS}, "bands out of range: the polynomials are written out for 1 <= N <= {BANDS}");
+  using T = component_t<Direction>;
+  using detail::root_over_pi;
+  [[maybe_unused]] const T x = direction[0], y = direction[1], z = direction[2];
+  ShGradient<N, T> sh{{{{}}}};  // many derivatives are zero
+  sh.value = evaluate_polynomial<N>(direction);
+  auto& by_x = sh.gradient[0];
+  auto& by_y = sh.gradient[1];
+  auto& by_z = sh.gradient[2];
+"""
+
+GRADIENT_ACROSS = """
+/// The gradients without their part along the unit vector: those of Y_l^m(v/|v|).
+template <int N, class T, class Direction>
+constexpr ShGradient<N, T> across(ShGradient<N, T> sh, const Direction& direction) {
+  const T v[3] = {direction[0], direction[1], direction[2]};
+  for (int i = 0; i < N * N; ++i) {
+    T along = T(0);
+    for (int k = 0; k < 3; ++k) along = along + sh.gradient[k].values[i] * v[k];
+    for (int k = 0; k < 3; ++k) sh.gradient[k].values[i] = sh.gradient[k].values[i] - along * v[k];
+  }
+  return sh;
+}
+"""
+
 CAP_HEAD = f"""\
 // The zonal coefficients of a spherical cap as explicit polynomials, to {BANDS} bands: the slow reference.
 // {{generated}}
@@ -210,7 +282,7 @@ constexpr Zh<N, T> project_cap_closed_form(const T& cos_angle) {{{{
 TAIL = """\
   return {result};
 }}
-
+{more}
 }}  // namespace reference
 }}  // namespace zonal
 """
@@ -224,12 +296,26 @@ def polynomial_header():
             lines += wrapped(f"    sh({l}, {m}) = ", harmonic(l, m))
         lines.append("  }")
     head = POLYNOMIAL_HEAD.format(generated=GENERATED[3:])
-    return head + "\n".join(lines) + "\n" + TAIL.format(result="sh")
+    return head + "\n".join(lines) + "\n" + TAIL.format(result="sh", more="")
+
+
+def gradient_header():
+    lines = []
+    for l in range(1, BANDS):
+        lines.append(f"  if constexpr (N > {l}) {{")
+        for m in range(-l, l + 1):
+            for axis, name in enumerate("xyz"):
+                factors = harmonic_derivative(l, m, axis)
+                if factors:
+                    lines += wrapped(f"    by_{name}({l}, {m}) = ", factors)
+        lines.append("  }")
+    head = GRADIENT_HEAD.format(generated=GENERATED[3:])
+    return head + "\n".join(lines) + "\n" + TAIL.format(result="sh", more=GRADIENT_ACROSS)
 
 
 def cap_header():
     lines = [line for l in range(BANDS) for line in wrapped(f"  if constexpr (N > {l}) zh[{l}] = ", cap(l))]
-    return CAP_HEAD.format(generated=GENERATED[3:]) + "\n".join(lines) + "\n" + TAIL.format(result="zh")
+    return CAP_HEAD.format(generated=GENERATED[3:]) + "\n".join(lines) + "\n" + TAIL.format(result="zh", more="")
 
 
 def main():
@@ -239,6 +325,7 @@ def main():
     stale = False
     for path, text in [
         (INCLUDE / "basis" / "polynomial.hpp", polynomial_header()),
+        (INCLUDE / "basis" / "polynomial_gradient.hpp", gradient_header()),
         (INCLUDE / "lobe" / "cap_closed_form.hpp", cap_header()),
     ]:
         if not check:

@@ -1,10 +1,12 @@
 // Gradients and Hessians of the basis: against 30 digits, dual numbers, central differences, and the papers' methods.
 #include <zonal/basis/angular_gradient.hpp>
 #include <zonal/basis/gradient.hpp>
+#include <zonal/basis/polynomial_gradient.hpp>
 #include <zonal/scalar/dual.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 
@@ -151,6 +153,46 @@ TEST_CASE("gradient: the papers' methods by angles agree with it away from the p
         CAPTURE(v[0], v[1], v[2], i);
         REQUIRE(std::abs(y.value[i] - expected.value[i]) <= 1e-13);
         for (std::size_t k = 0; k < 3; ++k) REQUIRE(std::abs(y.gradient[k][i] - expected.gradient[k][i]) <= 1e-11);
+      }
+    }
+  }
+}
+
+namespace {
+
+template <int N, class T>
+void check_sink_form() {
+  for (const auto& v : directions_and_poles<T>(300, 36)) {
+    const auto rows = zonal::evaluate_with_gradient<N>(v);
+    zonal::evaluate_with_gradient<N>(
+        v[0], v[1], v[2], [&](auto l, auto m, const T& value, const T& gx, const T& gy, const T& gz) {
+          const T unit = static_cast<T>(4 * steepest_of_degree(l)) * std::numeric_limits<T>::epsilon();
+          CAPTURE(N, int{l}, int{m}, v[0], v[1], v[2]);
+          REQUIRE(value == rows.value(l, m));
+          REQUIRE(std::abs(gx - rows.gradient[0](l, m)) <= unit);
+          REQUIRE(std::abs(gy - rows.gradient[1](l, m)) <= unit);
+          REQUIRE(std::abs(gz - rows.gradient[2](l, m)) <= unit);
+        });
+  }
+}
+
+}  // namespace
+
+TEST_CASE("gradient: handed out one by one or computed a degree at a time, it is the same but for rounding") {
+  zonal::unroll<1, 14>([](auto n) { check_sink_form<n, float>(); });
+  check_sink_form<21, double>();
+}
+
+TEST_CASE("gradient: the explicit polynomials, differentiated, have the same part across the direction") {
+  constexpr int N = 10;
+  for (const auto& v : directions_and_poles<long double>(100, 37)) {
+    const auto expected = zonal::evaluate_with_gradient<N>(v);
+    const auto y = zonal::reference::across(zonal::reference::evaluate_polynomial_with_gradient<N>(v), v);
+    for (int i = 0; i < N * N; ++i) {
+      CAPTURE(static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2]), i);
+      REQUIRE(std::abs(static_cast<double>(y.value[i] - expected.value[i])) <= 1e-15);
+      for (std::size_t k = 0; k < 3; ++k) {
+        REQUIRE(std::abs(static_cast<double>(y.gradient[k][i] - expected.gradient[k][i])) <= 1e-13);
       }
     }
   }

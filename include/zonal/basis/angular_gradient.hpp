@@ -48,11 +48,11 @@ ZONAL_INLINE constexpr void legendre_column_with_slope(const T& cosine, const T&
 
 /// By the recurrences of [1, Eq. 22], at a unit vector that is not a pole.
 template <int N, class Direction>
-constexpr AngularGradient<N, component_t<Direction>> angular_gradient_sloan_like(const Direction& direction) {
+AngularGradient<N, component_t<Direction>> angular_gradient_sloan_like(const Direction& direction) {
   using T = component_t<Direction>;
   const T x = direction[0], y = direction[1], z = direction[2];
   const T sine = sqrt(x * x + y * y), cotangent = z / sine;
-  AngularGradient<N, T> result{};
+  AngularGradient<N, T> result;
   T c = T(1), s = T(0);  // Re and Im of (x + iy)^m
   unroll<0, N>([&](auto m) ZONAL_INLINE {
     const T m_cotangent = T(int{m}) * cotangent;
@@ -61,7 +61,9 @@ constexpr AngularGradient<N, component_t<Direction>> angular_gradient_sloan_like
       const T by_theta = m == 0 ? slope : q * m_cotangent + slope;
       result.value.values[cosine_index] = q * c;
       result.by_theta.values[cosine_index] = by_theta * c;
-      if constexpr (m > 0) {
+      if constexpr (m == 0) {
+        result.by_phi.values[cosine_index] = T(0);
+      } else {
         result.value.values[sine_index] = q * s;
         result.by_theta.values[sine_index] = by_theta * s;
         result.by_phi.values[cosine_index] = T(-m) * result.value.values[sine_index];
@@ -77,7 +79,7 @@ constexpr AngularGradient<N, component_t<Direction>> angular_gradient_sloan_like
 
 /// By the derivatives of the associated Legendre functions [1, Eq. 19], at a unit vector that is not a pole.
 template <int N, class Direction>
-constexpr AngularGradient<N, component_t<Direction>> angular_gradient_direct(const Direction& direction) {
+AngularGradient<N, component_t<Direction>> angular_gradient_direct(const Direction& direction) {
   using T = component_t<Direction>;
   const T x = direction[0], y = direction[1], z = direction[2];
   const T sine = sqrt(x * x + y * y), cos_phi = x / sine, sin_phi = y / sine;
@@ -90,7 +92,7 @@ constexpr AngularGradient<N, component_t<Direction>> angular_gradient_direct(con
     power = power * sine;
   });
 
-  AngularGradient<N, T> result{};
+  AngularGradient<N, T> result;
   T c = T(1), s = T(0);  // cos and sin of m phi
   unroll<0, N>([&](auto m) ZONAL_INLINE {
     unroll<m, N>([&](auto l) ZONAL_INLINE {
@@ -104,7 +106,9 @@ constexpr AngularGradient<N, component_t<Direction>> angular_gradient_direct(con
       const int cosine_index = sh_index(l, m), sine_index = sh_index(l, -m);
       result.value.values[cosine_index] = legendre[l][m] * c;
       result.by_theta.values[cosine_index] = by_theta * c;
-      if constexpr (m > 0) {
+      if constexpr (m == 0) {
+        result.by_phi.values[cosine_index] = T(0);
+      } else {
         result.value.values[sine_index] = legendre[l][m] * s;
         result.by_theta.values[sine_index] = by_theta * s;
         result.by_phi.values[cosine_index] = T(-m) * result.value.values[sine_index];
@@ -120,11 +124,11 @@ constexpr AngularGradient<N, component_t<Direction>> angular_gradient_direct(con
 
 /// From derivatives by angles to derivatives by x, y, z at the same unit vector [1, Eq. 23].
 template <int N, class T, class Direction>
-constexpr ShGradient<N, T> to_cartesian(const AngularGradient<N, T>& angular, const Direction& direction) {
+ShGradient<N, T> to_cartesian(const AngularGradient<N, T>& angular, const Direction& direction) {
   const T x = direction[0], y = direction[1], z = direction[2];
   const T sine2 = x * x + y * y, sine = sqrt(sine2), z_by_sine = z / sine, inverse = T(1) / sine2;
   const T x_theta = x * z_by_sine, y_theta = y * z_by_sine, x_phi = -(y * inverse), y_phi = x * inverse;
-  ShGradient<N, T> result{};
+  ShGradient<N, T> result;
   result.value = angular.value;
   for (int i = 0; i < N * N; ++i) {
     result.gradient[0].values[i] = x_theta * angular.by_theta.values[i] + x_phi * angular.by_phi.values[i];

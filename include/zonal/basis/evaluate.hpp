@@ -102,32 +102,42 @@ ZONAL_INLINE constexpr void evaluate_zonal(const T& cos_angle, Sink&& sink) {
   detail::legendre_column<N, 0>(cos_angle, cos_angle * cos_angle, sink);
 }
 
+// The arrays below are not set to zero first: that would double the stores, and with packets these are what limits.
+// Hence the array forms can be computed at compile time from C++20 on only.
+
+namespace detail {
+// evaluate, kept as an array, inside a kernel.
+template <int N, class T>
+ZONAL_INLINE constexpr void evaluate_into(Sh<N, T>& sh, const T& x, const T& y, const T& z) {
+  evaluate<N>(x, y, z, [&](auto l, auto m, const T& value) ZONAL_INLINE { sh.values[sh_index(l, m)] = value; });
+}
+}  // namespace detail
+
 /// N*N values in the order l(l+1)+m at a unit vector: anything with v[0], v[1], v[2].
 template <int N, class Direction>
 constexpr Sh<N, component_t<Direction>> evaluate(const Direction& direction) {
   using T = component_t<Direction>;
   static_assert(N >= 1, "bands out of range: N >= 1");
   assert(detail::is_unit<T>(direction[0], direction[1], direction[2]));
-  Sh<N, T> y{};
-  evaluate<N>(T(direction[0]), T(direction[1]), T(direction[2]),
-              [&](auto l, auto m, const T& value) ZONAL_INLINE { y.values[sh_index(l, m)] = value; });
-  return y;
+  Sh<N, T> sh;
+  detail::evaluate_into(sh, T(direction[0]), T(direction[1]), T(direction[2]));
+  return sh;
 }
 
 /// N(N+1)/2 values in the order l(l+1)/2+m, from the x and z of a unit vector.
 template <int N, class T>
 constexpr EvenSh<N, T> evaluate_even(const T& x, const T& z) {
-  EvenSh<N, T> y{};
-  evaluate_even<N>(x, z, [&](auto l, auto m, const T& value) ZONAL_INLINE { y.values[even_index(l, m)] = value; });
-  return y;
+  EvenSh<N, T> sh;
+  evaluate_even<N>(x, z, [&](auto l, auto m, const T& value) ZONAL_INLINE { sh.values[even_index(l, m)] = value; });
+  return sh;
 }
 
 /// The N values Y_l^0.
 template <int N, class T>
 constexpr Zh<N, T> evaluate_zonal(const T& cos_angle) {
-  Zh<N, T> y{};
-  evaluate_zonal<N>(cos_angle, [&](auto l, const T& value) ZONAL_INLINE { y.values[l] = value; });
-  return y;
+  Zh<N, T> zh;
+  evaluate_zonal<N>(cos_angle, [&](auto l, const T& value) ZONAL_INLINE { zh.values[l] = value; });
+  return zh;
 }
 
 }  // namespace zonal

@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "../light/polygon.hpp"
 #include "../light/sphere.hpp"
 #include "coefficient_grid.hpp"
 #include "light_sums.hpp"
@@ -98,31 +99,32 @@ void add_lights(CoefficientGrid<N>& grid, const std::vector<ColouredLight<Sphere
   });
 }
 
-/// Adds lights of any other kind that `project_with_gradient<N>(light, x, y, z, sink)` takes (light/radial.hpp).
-template <int N, class Light, class ForEach>
-void add_lights(CoefficientGrid<N>& grid, const std::vector<ColouredLight<Light>>& lights, ForEach&& for_each) {
-  using detail::VertexLanes;
+namespace detail {
+// Adds `count` lights, one after the other: project(i, vertices, sink) hands out value and gradient of light i as
+// project_with_gradient does.
+template <int N, class Lights, class ForEach, class Project>
+void add_one_by_one(CoefficientGrid<N>& grid, const Lights& lights, ForEach&& for_each, const Project& project) {
   const auto packets = static_cast<int>((grid.vertex_count() + kNativeLanes - 1) / kNativeLanes);
   for_each(packets, [&](int packet) {
-    const detail::VertexPacket<N> vertices(grid, static_cast<std::size_t>(packet));
+    const VertexPacket<N> vertices(grid, static_cast<std::size_t>(packet));
     ShGradient<N, std::array<VertexLanes, 3>> sums;
     for (auto* sh : {&sums.value, &sums.gradient[0], &sums.gradient[1], &sums.gradient[2]}) {
       for (auto& rgb : *sh) rgb.fill(VertexLanes(0));
     }
-    for (const ColouredLight<Light>& light : lights) {
-      project_with_gradient<N>(light.light, vertices.position[0], vertices.position[1], vertices.position[2],
-                               [&](auto l, auto m, const VertexLanes& value, const VertexLanes& x, const VertexLanes& y,
-                                   const VertexLanes& z) ZONAL_INLINE {
-                                 const int i = sh_index(l, m);
-                                 for (int c = 0; c < 3; ++c) {
-                                   const auto channel = static_cast<std::size_t>(c);
-                                   const VertexLanes colour(light.colour[c]);
-                                   add_product(sums.value[i][channel], value, colour);
-                                   add_product(sums.gradient[0][i][channel], x, colour);
-                                   add_product(sums.gradient[1][i][channel], y, colour);
-                                   add_product(sums.gradient[2][i][channel], z, colour);
-                                 }
-                               });
+    for (const auto& light : lights) {
+      const VertexLanes colour[3] = {VertexLanes(light.colour[0]), VertexLanes(light.colour[1]),
+                                     VertexLanes(light.colour[2])};
+      project(light.light, vertices.position,
+              [&](auto l, auto m, const VertexLanes& value, const VertexLanes& x, const VertexLanes& y,
+                  const VertexLanes& z) ZONAL_INLINE {
+                constexpr int i = sh_index(l, m);
+                for (std::size_t c = 0; c < 3; ++c) {
+                  add_product(sums.value.values[i][c], value, colour[c]);
+                  add_product(sums.gradient[0].values[i][c], x, colour[c]);
+                  add_product(sums.gradient[1].values[i][c], y, colour[c]);
+                  add_product(sums.gradient[2].values[i][c], z, colour[c]);
+                }
+              });
     }
     for (int i = 0; i < N * N; ++i) {
       for (std::size_t c = 0; c < 3; ++c) {
@@ -131,6 +133,34 @@ void add_lights(CoefficientGrid<N>& grid, const std::vector<ColouredLight<Light>
       }
     }
   });
+}
+
+inline float least_lane(const VertexLanes& x) {
+  float lanes[kNativeLanes];
+  x.store(lanes);
+  return *std::min_element(lanes, lanes + kNativeLanes);
+}
+}  // namespace detail
+
+/// Adds lights of any other kind that `project_with_gradient<N>(light, x, y, z, sink)` takes (light/radial.hpp).
+template <int N, class Light, class ForEach>
+void add_lights(CoefficientGrid<N>& grid, const std::vector<ColouredLight<Light>>& lights, ForEach&& for_each) {
+  detail::add_one_by_one(grid, lights, for_each, [](const Light& light, const auto& x, auto&& sink) ZONAL_INLINE {
+    project_with_gradient<N>(light, x[0], x[1], x[2], sink);
+  });
+}
+
+/// Adds polygon lights within `tolerance` of each light's largest coefficient: as many nodes per edge as the vertices
+/// of a packet need, those that see the light largest.
+template <int N, int V, class ForEach>
+void add_lights(CoefficientGrid<N>& grid, const std::vector<ColouredLight<PolygonLight<V, float>>>& lights,
+                double tolerance, ForEach&& for_each) {
+  const EdgeRules rules(N, tolerance);
+  detail::add_one_by_one(
+      grid, lights, for_each, [&](const PolygonLight<V, float>& light, const auto& x, auto&& sink) ZONAL_INLINE {
+        const float arc = acos(detail::least_lane(least_arc_cosine(light, x[0], x[1], x[2])));
+        finish<N>(polygon_sums<N>(light, rules.for_arc(static_cast<double>(arc)), x[0], x[1], x[2]), sink);
+      });
 }
 
 }  // namespace zonal

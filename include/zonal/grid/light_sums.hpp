@@ -1,8 +1,9 @@
 // The sum of many coloured lights at a receiver, or a packet of them: coefficients and gradients, RGB.
 //
-// The gradient of L_l^m is U[p_l Y_(l+1)] + D[q_l Y_(l-1)], with U and D linear and the same for all lights
-// (light/radial.hpp). So p_l Y_(l+1) and q_l Y_(l-1) are summed over the lights, and U and D applied once, at the end:
-// per light and colour 6 l + 3 multiplications for degree l, instead of 8 l + 4 and the gradient itself.
+// The gradient of L_l^m = A_l(d) Y_l^m by the receiver's position is U[p_l Y_(l+1)] + D[q_l Y_(l-1)], with
+// p_l = l A_l/d - A_l', q_l = -(l+1) A_l/d - A_l', and U and D linear and the same for all lights (basis/ladder.hpp).
+// So p_l Y_(l+1) and q_l Y_(l-1) are summed over the lights, and U and D applied once, at the end: per light and colour
+// 6 l + 3 multiplications for degree l, instead of 8 l + 4 and the gradient itself.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -48,12 +49,12 @@ class LightSums {
       }
       if constexpr (l > 0) {
         const Wide over_distance = profile.value.values[l - 1] * sight.inverse_distance;
-        const Wide step = detail::step_up(l - 1, over_distance, profile.slope.values[l - 1]);
+        const Wide step = Wide(l - 1) * over_distance - profile.slope.values[l - 1];
         for (int c = 0; c < 3; ++c) up[c] = step * colour[c];
       }
       if constexpr (l + 1 < N) {
         const Wide over_distance = profile.value.values[l + 1] * sight.inverse_distance;
-        const Wide step = detail::step_down(l + 1, over_distance, profile.slope.values[l + 1]);
+        const Wide step = -(Wide(l + 2) * over_distance) - profile.slope.values[l + 1];
         for (int c = 0; c < 3; ++c) down[c] = step * colour[c];
       }
       for (int i = l * l; i < (l + 1) * (l + 1); ++i) {

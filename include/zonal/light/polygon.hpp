@@ -22,7 +22,8 @@
 //     SIGGRAPH 2020.
 #pragma once
 
-#include <glm/geometric.hpp>
+#include <vector>
+
 #include <glm/vec3.hpp>
 
 #include "../basis/gradient.hpp"
@@ -196,30 +197,53 @@ inline int edge_nodes(int bands, double arc, double tolerance) {
   return 32;
 }
 
-/// The largest angle an edge of the polygon can subtend from the receiver.
-template <int V, class T>
-T largest_arc(const PolygonLight<V, T>& light, const glm::vec<3, T>& x) {
-  T least_cosine = T(1);
-  for (int v = 0; v < V; ++v) {
-    const glm::vec<3, T> p = light.vertices[v] - x, q = light.vertices[(v + 1) % V] - x;
-    const T lengths = std::sqrt(glm::dot(p, p) * glm::dot(q, q));
-    least_cosine = std::min(least_cosine, lengths > 0 ? glm::dot(p, q) / lengths : T(-1));
+/// The rules of edge_nodes for N bands and a tolerance, to look up by arc. Building it takes about 10 microseconds.
+class EdgeRules {
+ public:
+  EdgeRules(int bands, double tolerance) {
+    for (std::size_t i = 0; i < steps; ++i) {
+      const int nodes = edge_nodes(bands, double(kPi) * static_cast<double>(i + 1) / steps, tolerance);
+      while (rules_.size() < static_cast<std::size_t>(nodes)) {
+        rules_.push_back(gauss_legendre(static_cast<int>(rules_.size()) + 1));
+      }
+      nodes_[i] = static_cast<std::size_t>(nodes);
+    }
   }
-  return acos(clamp(least_cosine, T(-1), T(1)));
+  /// 0 <= arc <= pi, in radians; what lies between two steps gets the rule of the larger.
+  const QuadratureRule& for_arc(double arc) const {
+    const auto step = static_cast<std::size_t>(arc * (steps / double(kPi)));
+    return rules_[nodes_[step < steps ? step : steps - 1] - 1];
+  }
+
+ private:
+  static constexpr std::size_t steps = 256;
+  std::vector<QuadratureRule> rules_;  // of 1, 2, ... nodes
+  std::size_t nodes_[steps];
+};
+
+/// The cosine of the largest angle that an edge of the polygon subtends from the receiver (x, y, z).
+template <int V, class S, class T>
+ZONAL_INLINE constexpr T least_arc_cosine(const PolygonLight<V, S>& light, const T& x, const T& y, const T& z) {
+  const T receiver[3] = {x, y, z};
+  T least = T(1), p[3], q[3];
+  for (int v = 0; v < V; ++v) {
+    for (int i = 0; i < 3; ++i) {
+      p[i] = T(light.vertices[v][i]) - receiver[i];
+      q[i] = T(light.vertices[(v + 1) % V][i]) - receiver[i];
+    }
+    least = min(least, detail::dot3(p, q) / max(sqrt(detail::dot3(p, p) * detail::dot3(q, q)), T(1e-30L)));
+  }
+  return max(least, T(-1));
 }
 
 /// Coefficients at the receiver x, and their gradient by its position, within `tolerance` of the largest coefficient.
 template <int N, int V, class T>
 ShGradient<N, T> project_with_gradient(const PolygonLight<V, T>& light, const glm::vec<3, T>& x,
                                        double tolerance = 1e-6) {
-  const QuadratureRule rule = gauss_legendre(edge_nodes(N, static_cast<double>(largest_arc(light, x)), tolerance));
+  const T arc = acos(least_arc_cosine(light, x[0], x[1], x[2]));
+  const QuadratureRule rule = gauss_legendre(edge_nodes(N, static_cast<double>(arc), tolerance));
   ShGradient<N, T> sh;
-  finish<N>(polygon_sums<N>(light, rule, x[0], x[1], x[2]),
-            [&](auto l, auto m, const T& value, const T& gx, const T& gy, const T& gz) ZONAL_INLINE {
-              const int i = sh_index(l, m);
-              sh.value.values[i] = value;
-              sh.gradient[0].values[i] = gx, sh.gradient[1].values[i] = gy, sh.gradient[2].values[i] = gz;
-            });
+  finish<N>(polygon_sums<N>(light, rule, x[0], x[1], x[2]), detail::into(sh));
   return sh;
 }
 template <int N, int V, class T>

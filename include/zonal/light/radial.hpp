@@ -4,9 +4,9 @@
 // oriented: with w the unit vector from the receiver x to the centre,
 //
 //   L_l^m(x) = A_l(d) Y_l^m(w)                                                                            [1] Eq. 11
-//   grad_x L_l^m = -(A_l' - l A_l/d) U[Y_(l+1)(w)] - (A_l' + (l+1) A_l/d) D[Y_(l-1)(w)]
+//   grad_x L_l^m = (l A_l/d - A_l') w Y_l^m(w) - (2l+1) A_l/d D[Y_(l-1)(w)]
 //
-// with the steps U and D of gradient.hpp, where [1, Eq. 12-23] differentiates A_l and Y_l^m by angles.
+// with the step D of basis/ladder.hpp, where [1, Eq. 12-23] differentiates A_l and Y_l^m by angles.
 //
 // To add a light: 1. write its profile, A_l and A_l', as a function of the distance (sphere.hpp is the sample); 2. give
 // it a `center` and a member `profile` that calls it; 3. test it against Dual, as tests/light/ does for each. All
@@ -54,16 +54,6 @@ struct Sight {
 
 namespace detail {
 
-// The weights of the steps up and down from degree l, by the receiver's position.
-template <class T>
-ZONAL_INLINE constexpr T step_up(int l, const T& value_over_distance, const T& slope) {
-  return T(l) * value_over_distance - slope;
-}
-template <class T>
-ZONAL_INLINE constexpr T step_down(int l, const T& value_over_distance, const T& slope) {
-  return -(T(l + 1) * value_over_distance) - slope;
-}
-
 // Whether a light has a Modulation.
 template <class Light, class T, class = void>
 struct ModulationOf {
@@ -100,22 +90,20 @@ ZONAL_INLINE constexpr void project_radial(const Zh<N, T>& factors, const Sight<
 template <int N, class T, class Sink>
 ZONAL_INLINE constexpr void project_radial_with_gradient(const RadialProfile<N, T>& profile, const Sight<T>& sight,
                                                          Sink&& sink) {
-  Sh<N + 1, T> basis{};
-  detail::evaluate_into(basis, sight.direction[0], sight.direction[1], sight.direction[2]);
+  const T* w = sight.direction;
+  Sh<N, T> basis;
+  detail::evaluate_into(basis, w[0], w[1], w[2]);
   unroll<0, N>([&](auto l) ZONAL_INLINE {
-    const T factor = profile.value.values[l], slope = profile.slope.values[l];
-    const T up = detail::step_up(l, factor * sight.inverse_distance, slope);
-    const T down = detail::step_down(l, factor * sight.inverse_distance, slope);
-    Sh<l + 2, T> scaled;  // degrees l-1 and l+1, times their weights
-    unroll<-l - 1, l + 2>(
-        [&](auto m) ZONAL_INLINE { scaled.values[sh_index(l + 1, m)] = up * basis.values[sh_index(l + 1, m)]; });
-    unroll<1 - l, l>([&](auto m)
-                         ZONAL_INLINE { scaled.values[sh_index(l - 1, m)] = down * basis.values[sh_index(l - 1, m)]; });
-    detail::ladder<l, T, detail::UnitWeights>([&](auto m) ZONAL_INLINE { return scaled.values[sh_index(l + 1, m)]; },
-                                              [&](auto m) ZONAL_INLINE { return scaled.values[sh_index(l - 1, m)]; },
-                                              [&](auto m, const T& gx, const T& gy, const T& gz) ZONAL_INLINE {
-                                                sink(l, m, factor * basis.values[sh_index(l, m)], gx, gy, gz);
-                                              });
+    const T factor = profile.value.values[l], by_distance = factor * sight.inverse_distance;
+    const T along = T(int{l}) * by_distance - profile.slope.values[l];
+    const T along_w[3] = {along * w[0], along * w[1], along * w[2]};
+    const auto below = [&](auto m) ZONAL_INLINE { return basis.values[sh_index(l - 1, m)]; };
+    detail::ladder<l, T, detail::SolidWeights>(
+        below, below, [&](auto m, const T& gx, const T& gy, const T& gz) ZONAL_INLINE {
+          const T& y = basis.values[sh_index(l, m)];
+          sink(l, m, factor * y, along_w[0] * y - by_distance * gx, along_w[1] * y - by_distance * gy,
+               along_w[2] * y - by_distance * gz);
+        });
   });
 }
 
@@ -158,14 +146,7 @@ Sh<N, T> project(const Light& light, const glm::vec<3, T>& x) {
 template <int N, class Light, class T>
 ShGradient<N, T> project_with_gradient(const Light& light, const glm::vec<3, T>& x) {
   ShGradient<N, T> sh;
-  project_with_gradient<N>(light, x[0], x[1], x[2],
-                           [&](auto l, auto m, const T& value, const T& gx, const T& gy, const T& gz) ZONAL_INLINE {
-                             const int i = sh_index(l, m);
-                             sh.value.values[i] = value;
-                             sh.gradient[0].values[i] = gx;
-                             sh.gradient[1].values[i] = gy;
-                             sh.gradient[2].values[i] = gz;
-                           });
+  project_with_gradient<N>(light, x[0], x[1], x[2], detail::into(sh));
   return sh;
 }
 

@@ -17,7 +17,7 @@ constexpr long double zonal_to_degree(int l) { return constexpr_sqrt(4 * kPi / (
 /// The lobe's symmetry axis moved from z to `axis`, a unit vector: to sink(l, m, value) [1].
 template <int N, class T, class Sink>
 ZONAL_INLINE constexpr void orient(const Zh<N, T>& zh, const T& x, const T& y, const T& z, Sink&& sink) {
-  Zh<N, T> factor{};
+  Zh<N, T> factor = zh;
   unroll<0, N>([&](auto l) ZONAL_INLINE { factor.values[l] = T(detail::zonal_to_degree(l)) * zh.values[l]; });
   evaluate<N>(x, y, z, [&](auto l, auto m, const T& value) ZONAL_INLINE { sink(l, m, factor.values[l] * value); });
 }
@@ -26,7 +26,7 @@ ZONAL_INLINE constexpr void orient(const Zh<N, T>& zh, const T& x, const T& y, c
 template <int N, class T, class Direction>
 constexpr Sh<N, T> orient(const Zh<N, T>& zh, const Direction& axis) {
   assert(detail::is_unit<T>(axis[0], axis[1], axis[2]));
-  Sh<N, T> sh{};
+  Sh<N, T> sh;
   orient(zh, T(axis[0]), T(axis[1]), T(axis[2]),
          [&](auto l, auto m, const T& value) ZONAL_INLINE { sh.values[sh_index(l, m)] = value; });
   return sh;

@@ -1,0 +1,152 @@
+// The ladder: derivatives of harmonics as sums of harmonics one degree up and one down.
+//
+// A coordinate times a harmonic of degree l is a sum of harmonics of degrees l+1 and l-1, with constant coefficients, a
+// step up and a step down,
+//
+//   v_k Y_l^m = U_k[Y_(l+1)] + D_k[Y_(l-1)]
+//
+// and the gradient of f(d) Y_l^m(v/d), d = |v|, is a weighted sum of the same two terms:
+//
+//   d/dv_k (f Y_l^m) = (f' - l f/d) U_k[Y_(l+1)] + (f' + (l+1) f/d) D_k[Y_(l-1)]
+//
+// or, U_k being the rest of v_k Y_l^m, with the step down alone where Y_l^m itself is at hand (v of unit length):
+//
+//   d/dv_k (f Y_l^m) = (f' - l f/d) v_k Y_l^m + (2l+1) f/d D_k[Y_(l-1)]
+//
+// No angle, no division, no pole.
+#pragma once
+
+#include "../scalar/scalar.hpp"
+#include "../scalar/unroll.hpp"
+#include "sh.hpp"
+#include "table.hpp"
+
+namespace zonal {
+
+namespace detail {
+
+// U_k and D_k. z keeps the order m; x and y go to m+1 (raise) and m-1 (lower), with a factor 1/2 for
+// cos(phi) cos(m phi) = (cos((m+1) phi) + cos((m-1) phi)) / 2, or sqrt(1/2) from or to m = 0, whose normalisation lacks
+// sqrt(2); and a sign for the Condon-Shortley phase.
+constexpr long double ladder_root(long double a, long double b, long double c, long double d) {
+  return constexpr_sqrt(a * b / (c * d));
+}
+constexpr long double ladder_half(bool zero) { return zero ? constexpr_sqrt(0.5L) : 0.5L; }
+constexpr long double keep_up(int l, int m) { return ladder_root(l + 1 - m, l + 1 + m, 2 * l + 1, 2 * l + 3); }
+constexpr long double keep_down(int l, int m) { return ladder_root(l - m, l + m, 2 * l - 1, 2 * l + 1); }
+constexpr long double raise_up(int l, int m) {
+  return -ladder_half(m == 0) * ladder_root(l + m + 1, l + m + 2, 2 * l + 1, 2 * l + 3);
+}
+constexpr long double raise_down(int l, int m) {
+  return ladder_half(m == 0) * ladder_root(l - m, l - m - 1, 2 * l - 1, 2 * l + 1);
+}
+constexpr long double lower_up(int l, int m) {
+  return ladder_half(m == 1) * ladder_root(l - m + 1, l - m + 2, 2 * l + 1, 2 * l + 3);
+}
+constexpr long double lower_down(int l, int m) {
+  return -ladder_half(m == 1) * ladder_root(l + m, l + m - 1, 2 * l - 1, 2 * l + 1);
+}
+
+// The weights of the two steps where they are known at compile time.
+struct UnitWeights {  // the two terms as they come: weighted before, or after
+  static constexpr long double up(int) { return 1; }
+  static constexpr long double down(int) { return 1; }
+};
+struct AngularWeights {  // f = 1
+  static constexpr long double up(int l) { return -l; }
+  static constexpr long double down(int l) { return l + 1; }
+};
+struct InverseDistanceWeights {  // f = 1/d
+  static constexpr long double up(int l) { return -(l + 1); }
+  static constexpr long double down(int l) { return l; }
+};
+struct SolidWeights {  // f = d^l, a polynomial
+  static constexpr long double up(int) { return 0; }
+  static constexpr long double down(int l) { return 2 * l + 1; }
+};
+
+// A term that is not there, and costs nothing.
+struct NoTerm {
+  template <class T>
+  explicit constexpr operator T() const {
+    return T(0);
+  }
+  friend constexpr NoTerm operator+(NoTerm, NoTerm) { return {}; }
+  friend constexpr NoTerm operator-(NoTerm, NoTerm) { return {}; }
+  template <class T>
+  friend ZONAL_INLINE constexpr T operator+(const T& a, NoTerm) {
+    return a;
+  }
+  template <class T>
+  friend ZONAL_INLINE constexpr T operator+(NoTerm, const T& a) {
+    return a;
+  }
+  template <class T>
+  friend ZONAL_INLINE constexpr T operator-(const T& a, NoTerm) {
+    return a;
+  }
+  template <class T>
+  friend ZONAL_INLINE constexpr T operator-(NoTerm, const T& a) {
+    return -a;
+  }
+};
+
+// up * above(m) + down * below(m): the step from degree l to its neighbours, at order m; T(up(l) * above_factor) ...
+template <int l, int m, class T, class Weights, class Above, class Below>
+ZONAL_INLINE constexpr auto step(long double above_factor, long double below_factor, Above&& above, Below&& below) {
+  constexpr bool has_above = Weights::up(l) != 0, has_below = Weights::down(l) != 0 && m < l && -l < m;
+  if constexpr (has_above && has_below) {
+    return T(Weights::up(l) * above_factor) * above(Index<m>{}) +
+           T(Weights::down(l) * below_factor) * below(Index<m>{});
+  } else if constexpr (has_above) {
+    return T(Weights::up(l) * above_factor) * above(Index<m>{});
+  } else if constexpr (has_below) {
+    return T(Weights::down(l) * below_factor) * below(Index<m>{});
+  } else {
+    return NoTerm{};
+  }
+}
+
+// The gradient of degree l from the values of its neighbours: sink(m, x, y, z). `above` and `below` are callables on
+// Index<m>, for degrees l+1 and l-1. A neighbour that is not there, or has no weight, costs nothing.
+template <int l, class T, class Weights, class Above, class Below, class Sink>
+ZONAL_INLINE constexpr void ladder(Above&& above, Below&& below, Sink&& sink) {
+  unroll<0, l + 1>([&](auto m) ZONAL_INLINE {
+    const auto keep = [&](auto order) ZONAL_INLINE {
+      return step<l, order, T, Weights>(keep_up(l, m), keep_down(l, m), above, below);
+    };
+    const auto raise = [&](auto order) ZONAL_INLINE {
+      return step<l, order, T, Weights>(raise_up(l, m), raise_down(l, m), above, below);
+    };
+    const auto lower = [&](auto order) ZONAL_INLINE {
+      return step<l, order, T, Weights>(lower_up(l, m), lower_down(l, m), above, below);
+    };
+    const auto raise_c = raise(Index<m + 1>{}), raise_s = raise(Index<-m - 1>{});
+    if constexpr (m == 0) {
+      sink(Index<0>{}, T(raise_c), T(raise_s), T(keep(Index<0>{})));
+    } else if constexpr (m == 1) {  // sin(0 phi) is no harmonic
+      const auto lower_c = lower(Index<0>{});
+      sink(Index<-1>{}, T(raise_s), T(lower_c - raise_c), T(keep(Index<-1>{})));
+      sink(Index<1>{}, T(raise_c + lower_c), T(raise_s), T(keep(Index<1>{})));
+    } else {
+      const auto lower_c = lower(Index<m - 1>{}), lower_s = lower(Index<1 - m>{});
+      sink(Index<-m>{}, T(raise_s + lower_s), T(lower_c - raise_c), T(keep(Index<-m>{})));
+      sink(m, T(raise_c + lower_c), T(raise_s - lower_s), T(keep(m)));
+    }
+  });
+}
+
+// The same over all degrees below N, from arrays that hold every neighbour: sink(l, m, x, y, z).
+template <int N, class Weights, int M, class T, class Sink>
+ZONAL_INLINE constexpr void ladder(const Sh<M, T>& y, Sink&& sink) {
+  static_assert(M > N || (M == N && Weights::up(N - 1) == 0), "the step up needs one band more");
+  unroll<0, N>([&](auto l) ZONAL_INLINE {
+    ladder<l, T, Weights>([&](auto m) ZONAL_INLINE { return y.values[sh_index(l + 1, m)]; },
+                          [&](auto m) ZONAL_INLINE { return y.values[sh_index(l - 1, m)]; },
+                          [&](auto m, const T& gx, const T& gy, const T& gz) ZONAL_INLINE { sink(l, m, gx, gy, gz); });
+  });
+}
+
+}  // namespace detail
+
+}  // namespace zonal

@@ -1,0 +1,153 @@
+// Grids as files: what is written comes back, and nothing else is taken for a grid.
+#include <zonal/grid/grid_file.hpp>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <random>
+#include <string>
+
+#include "../catch.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+constexpr int N = 3;
+
+/// A folder that goes away with the test.
+struct Folder {
+  fs::path path = fs::temp_directory_path() / ("zonal_grid_file." + std::to_string(getpid()));
+  Folder() {
+    fs::remove_all(path);
+    fs::create_directories(path);
+  }
+  ~Folder() { fs::remove_all(path); }
+  std::size_t files() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(path), fs::directory_iterator()));
+  }
+};
+
+zonal::CoefficientGrid<N> random_grid() {
+  zonal::CoefficientGrid<N> grid({-1, 0.1F, 2}, {1, 3.3F, 1e6F}, {3, 2, 4});
+  std::mt19937 random(81);
+  std::uniform_real_distribution<float> uniform(-1, 1);
+  std::generate_n(grid.data(), grid.size(), [&] { return uniform(random); });
+  grid.data()[0] = std::numeric_limits<float>::denorm_min();
+  grid.data()[1] = -0.0F;
+  grid.data()[2] = std::numeric_limits<float>::infinity();
+  grid.data()[3] = std::numeric_limits<float>::quiet_NaN();
+  return grid;
+}
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+void write(const fs::path& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+}
+std::string error_of(const fs::path& path) {
+  try {
+    zonal::load_grid<N>(path);
+  } catch (const zonal::GridFileError& error) {
+    return error.what();
+  }
+  return {};
+}
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("grid file: what is saved comes back to the bit, over an older file too") {
+  const Folder folder;
+  const fs::path path = folder.path / "a.grid";
+  write(path, "something else");
+  const auto grid = random_grid();
+  zonal::save_grid(path, grid);
+  CHECK(folder.files() == 1);
+  CHECK(fs::file_size(path) == 60 + 4 * grid.size() + 8);
+
+  const auto header = zonal::read_grid_header(path);
+  CHECK(header.bands == N);
+  CHECK(header.resolution == grid.resolution());
+  const auto loaded = zonal::load_grid<N>(path);
+  CHECK(loaded.low() == grid.low());
+  CHECK(loaded.high() == grid.high());
+  CHECK(loaded.resolution() == grid.resolution());
+  REQUIRE(loaded.size() == grid.size());
+  CHECK(std::memcmp(loaded.data(), grid.data(), 4 * grid.size()) == 0);
+}
+
+TEST_CASE("grid file: its bytes are little-endian, as stated") {
+  const Folder folder;
+  const fs::path path = folder.path / "a.grid";
+  zonal::CoefficientGrid<1> grid({0, 0, 0}, {1, 2, 4}, {2, 2, 3});
+  grid.data()[0] = 1.5F;  // 0x3FC00000
+  zonal::save_grid(path, grid);
+  const std::string expected(
+      "ZONALGRD\1\0\0\0\1\0\0\0\2\0\0\0\2\0\0\0\3\0\0\0"
+      "\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\x40\0\0\x80\x40"
+      "\x90\0\0\0\0\0\0\0\0\0\xc0\x3f",
+      64);
+  CHECK(bytes_of(path).substr(0, 64) == expected);
+}
+
+TEST_CASE("grid file: a link to a file stays a link") {
+  const Folder folder;
+  const fs::path path = folder.path / "a.grid", link = folder.path / "link.grid";
+  write(path, "old");
+  fs::create_symlink(path, link);
+  zonal::save_grid(link, random_grid());
+  CHECK(fs::is_symlink(link));
+  CHECK(zonal::read_grid_header(path).bands == N);
+}
+
+TEST_CASE("grid file: any one bit that is wrong, and any other length, is an error") {
+  const Folder folder;
+  const fs::path path = folder.path / "a.grid";
+  zonal::save_grid(path, random_grid());
+  const std::string good = bytes_of(path);
+  REQUIRE(error_of(path).empty());
+
+  std::mt19937 random(82);
+  for (std::size_t i = 0; i < good.size(); i += i < 80 ? 1 : 37) {
+    std::string bad = good;
+    bad[i] = static_cast<char>(bad[i] ^ (1 << random() % 8));
+    write(path, bad);
+    CAPTURE(i);
+    REQUIRE(contains(error_of(path), path.string() + ": "));
+  }
+  for (const std::size_t length : {std::size_t{0}, std::size_t{7}, std::size_t{59}, std::size_t{67}, good.size() - 1,
+                                   good.size() + 1, good.size() / 2}) {
+    std::string bad = good;
+    bad.resize(length);
+    write(path, bad);
+    CAPTURE(length);
+    REQUIRE(contains(error_of(path), "is "));
+  }
+  std::string huge = good;
+  std::fill(huge.begin() + 16, huge.begin() + 28, '\x7F');  // 2139062143 vertices on each axis
+  write(path, huge);
+  CHECK(contains(error_of(path), "its resolution does not go with its size"));
+  std::string newer = good;
+  newer[8] = 2;
+  write(path, newer);
+  CHECK(contains(error_of(path), "has version 2 of the format; this reads 1"));
+}
+
+TEST_CASE("grid file: errors name the file and leave nothing behind") {
+  const Folder folder;
+  CHECK(contains(error_of(folder.path / "nowhere"), "nowhere: "));
+  CHECK(contains(error_of(folder.path), "is not a file"));
+  zonal::save_grid(folder.path / "two.grid", zonal::CoefficientGrid<2>({0, 0, 0}, {1, 1, 1}, {2, 2, 2}));
+  CHECK(contains(error_of(folder.path / "two.grid"), "has 2 bands, not 3"));
+
+  CHECK_THROWS_AS(zonal::save_grid(folder.path / "nowhere" / "a.grid", random_grid()), zonal::GridFileError);
+  CHECK_THROWS_AS(zonal::save_grid(folder.path, random_grid()), zonal::GridFileError);
+  CHECK(folder.files() == 1);
+}

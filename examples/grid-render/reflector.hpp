@@ -17,7 +17,8 @@ inline constexpr int most_lobe_bands = 9;
 ///
 /// The kernel is the lobe as seen from the normal, BRDF times cosine with a Fresnel reflectance of 1, divided by its
 /// integral: a split sum, which forgets that lobes stretch towards the horizon and that the horizon cuts them. The
-/// albedo, by the view's angle and with the true Fresnel reflectance, puts the energy right.
+/// albedo, by the view's angle and with the true Fresnel reflectance, puts the energy right. A light of half angle 30
+/// degrees, mirrored by gold of roughness 0.5 at 40 degrees, is 11 % off.
 struct GlossyLobe {
   zonal::Zh<most_lobe_bands, float> kernel;  // integrates to 1; zero from --lobe-bands on
   zonal::MaterialTable albedo;               // one band

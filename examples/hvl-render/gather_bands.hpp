@@ -10,7 +10,7 @@
 
 #include "gather_hvl.hpp"
 
-namespace hvl_render {
+namespace example::hvl_render {
 
 /// What --bands and --emission-bands offer. Each pair is a kernel of its own, a second of compile time and
 /// more, and that for each horizon, which has a source file of its own.
@@ -55,4 +55,4 @@ std::unique_ptr<Gatherer> make_gatherer_with(const std::vector<zonal::VirtualLig
   return gatherer;
 }
 
-}  // namespace hvl_render
+}  // namespace example::hvl_render

@@ -1,9 +1,9 @@
 #include "gather_hvl.hpp"
 
 #include "gather_bands.hpp"
-#include "input_error.hpp"
+#include "shared/input_error.hpp"
 
-namespace hvl_render {
+namespace example::hvl_render {
 
 extern template std::unique_ptr<Gatherer> make_gatherer_with<zonal::Horizon::smoothstep>(
     const std::vector<zonal::VirtualLight>& lights, int bands, int emission_bands);
@@ -22,4 +22,4 @@ std::vector<int> gather_bands() { return {compiled_bands.begin(), compiled_bands
 
 std::vector<int> emission_bands() { return {compiled_emission_bands.begin(), compiled_emission_bands.end()}; }
 
-}  // namespace hvl_render
+}  // namespace example::hvl_render

@@ -7,9 +7,9 @@
 #include <zonal/material/material_table.hpp>
 
 #include "options.hpp"
-#include "ray_caster.hpp"
+#include "shared/ray_caster.hpp"
 
-namespace hvl_render {
+namespace example::hvl_render {
 
 /// The sum over all virtual lights, its numbers of bands fixed when it was made. Safe to use from many
 /// threads.
@@ -32,4 +32,4 @@ std::unique_ptr<Gatherer> make_gatherer(const std::vector<zonal::VirtualLight>& 
 std::vector<int> gather_bands();
 std::vector<int> emission_bands();
 
-}  // namespace hvl_render
+}  // namespace example::hvl_render

@@ -1,33 +1,30 @@
 // hvl-render: one-bounce global illumination by Harmonics Virtual Lights, beside a path-traced reference.
 #include <algorithm>
 #include <cstdio>
-#include <exception>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-
+#include "direct_light.hpp"
 #include "gather_hvl.hpp"
-#include "image_file.hpp"
-#include "input_error.hpp"
-#include "interrupt.hpp"
+#include "lit_scene.hpp"
 #include "options.hpp"
 #include "outputs.hpp"
 #include "path.hpp"
-#include "progress.hpp"
-#include "render.hpp"
 #include "report.hpp"
-#include "view.hpp"
+#include "shared/image_file.hpp"
+#include "shared/input_error.hpp"
+#include "shared/interrupt.hpp"
+#include "shared/primary_hits.hpp"
+#include "shared/program.hpp"
+#include "shared/progress.hpp"
 #include "virtual_lights.hpp"
 
-namespace hvl_render {
+namespace example::hvl_render {
 namespace {
 
-constexpr int exit_bad_input = 2;
-constexpr int exit_by_signal = 128;  // and the signal's number, as of a shell
+constexpr const char* program_name = "hvl-render";
 
 std::optional<Image> load_reference(const Options& options) {
   if (options.reference.empty()) return std::nullopt;
@@ -161,37 +158,22 @@ class SliceRenderer {
 
 Pictures render(const Renderers& renderers, Report& report) {
   const Options& options = report.options;
-  // Some 60 bytes per primary sample: a slice of a million is enough for many threads and little to hold.
-  constexpr int samples_per_slice = 1 << 20;
-  const int samples_per_row = options.width * options.antialias * options.antialias;
-  const int rows_per_slice = std::max(1, samples_per_slice / samples_per_row);
   const Image blank(options.width, options.height);
   Pictures pictures{renderers.gatherer ? blank : Image(), renderers.paths ? blank : Image()};
-  report.counts.primary_samples = static_cast<std::size_t>(samples_per_row) * static_cast<std::size_t>(options.height);
+  report.counts.primary_samples = blank.pixels.size() * static_cast<std::size_t>(options.antialias * options.antialias);
 
   Progress progress(!options.quiet);
   progress.expect(Costs(options, report.counts).sum() * static_cast<double>(report.counts.primary_samples));
   SliceRenderer renderer(renderers, pictures, report, progress);
-  for (int row = 0; row < options.height; row += rows_per_slice) {
-    renderer.render({row, std::min(rows_per_slice, options.height - row)});
-  }
+  for_each_slice(options.width, options.height, options.antialias, [&](Slice slice) { renderer.render(slice); });
   return pictures;
-}
-
-void count_non_finite(Pictures& pictures, Report& report) {
-  report.counts.pixels_not_finite = blacken_non_finite(pictures.hvl) + blacken_non_finite(pictures.path);
-  if (report.counts.pixels_not_finite == 0) return;
-  std::fprintf(stderr, "hvl-render: warning: %zu pixels are not finite; they are written black\n",
-               report.counts.pixels_not_finite);
 }
 
 void run(const Options& options) {
   Report report;
   report.options = options;
-  report.machine_cores = tbb::info::default_concurrency();
-  report.threads = options.threads > 0 ? options.threads : report.machine_cores;
-  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(report.threads));
+  const ThreadLimit limit(options.threads);
+  report.machine = limit.machine();
 
   // All that can be wrong with the input comes to light before the work begins.
   const std::optional<Image> reference = load_reference(options);
@@ -206,7 +188,7 @@ void run(const Options& options) {
   if (options.needs_paths()) prepare_paths(renderers, report);
 
   Pictures pictures = render(renderers, report);
-  count_non_finite(pictures, report);
+  report.counts.pixels_not_finite = repair(program_name, {&pictures.hvl, &pictures.path});
   if (options.comparing()) report.errors = compare(pictures.hvl, pictures.path, options.display);
   if (reference)
     report.errors = compare(renderers.gatherer ? pictures.hvl : pictures.path, *reference, options.display);
@@ -215,26 +197,10 @@ void run(const Options& options) {
   if (!options.quiet) std::fputs(table(report).c_str(), stdout);
 }
 
-int run_main(int argc, char** argv) {
-  try {
-    const CommandLine line = parse_command_line(argc, argv);
-    if (line.exit_status) return *line.exit_status;
-    listen_for_interrupts();
-    run(line.options);
-    return 0;
-  } catch (const Interrupted&) {
-    std::fputs("hvl-render: interrupted, nothing written\n", stderr);
-    return exit_by_signal + stop_signal();
-  } catch (const InputError& error) {
-    std::fprintf(stderr, "hvl-render: %s\n", error.what());
-    return exit_bad_input;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "hvl-render: %s\n", error.what());
-    return 1;
-  }
-}
-
 }  // namespace
-}  // namespace hvl_render
+}  // namespace example::hvl_render
 
-int main(int argc, char** argv) { return hvl_render::run_main(argc, argv); }
+int main(int argc, char** argv) {
+  using namespace example::hvl_render;
+  return example::run_program(program_name, argc, argv, parse_command_line, run);
+}

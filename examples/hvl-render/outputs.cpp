@@ -1,20 +1,10 @@
 #include "outputs.hpp"
 
-#include <algorithm>
+#include "shared/image_file.hpp"
 
-#include "image_file.hpp"
-#include "input_error.hpp"
-
-namespace hvl_render {
-namespace {
+namespace example::hvl_render {
 
 namespace fs = std::filesystem;
-
-std::string picture_bytes(const fs::path& path, const Image& radiance, const Display& display) {
-  return path.extension() == ".exr" ? exr_bytes(radiance) : png_bytes(encode(radiance, display));
-}
-
-}  // namespace
 
 Outputs::Outputs(const Options& options) : report_(options.report) {
   if (options.comparing()) {
@@ -26,15 +16,7 @@ Outputs::Outputs(const Options& options) : report_(options.report) {
   } else {
     picture_ = options.out;
   }
-  const auto real = [](const fs::path& path) { return fs::weakly_canonical(fs::absolute(path)); };
-  const std::vector<fs::path> paths = all();
-  for (const fs::path& path : paths) {
-    check_writable(path);
-    const auto same = [&](const fs::path& other) { return real(other) == real(path); };
-    if (std::count_if(paths.begin(), paths.end(), same) > 1) {
-      throw InputError(path.string() + ": two outputs cannot be one file");
-    }
-  }
+  check_outputs(all());
 }
 
 std::vector<fs::path> Outputs::all() const {
@@ -63,4 +45,4 @@ void Outputs::write(const Pictures& pictures, const Report& report) const {
   batch.move_into_place();
 }
 
-}  // namespace hvl_render
+}  // namespace example::hvl_render

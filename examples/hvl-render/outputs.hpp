@@ -4,12 +4,12 @@
 #include <optional>
 #include <vector>
 
-#include "image.hpp"
 #include "options.hpp"
-#include "output_file.hpp"
 #include "report.hpp"
+#include "shared/image.hpp"
+#include "shared/output_file.hpp"
 
-namespace hvl_render {
+namespace example::hvl_render {
 
 /// Linear radiance; an image that no one asked for is empty.
 struct Pictures {
@@ -36,4 +36,4 @@ class Outputs {
   std::optional<OutputDirectory> directory_;
 };
 
-}  // namespace hvl_render
+}  // namespace example::hvl_render

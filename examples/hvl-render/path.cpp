@@ -4,9 +4,12 @@
 
 #include <zonal/material/sampling.hpp>
 
-#include "frame.hpp"
+#include "direct_light.hpp"
+#include "shared/frame.hpp"
+#include "shared/interrupt.hpp"
+#include "shared/primary_hits.hpp"
 
-namespace hvl_render {
+namespace example::hvl_render {
 namespace {
 
 struct Scattered {
@@ -110,4 +113,4 @@ glm::vec3 PathTracer::indirect_radiance(const Hit& hit, std::size_t sample) cons
   return sum / static_cast<float>(paths_per_position_);
 }
 
-}  // namespace hvl_render
+}  // namespace example::hvl_render

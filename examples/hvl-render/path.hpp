@@ -4,9 +4,10 @@
 #include <cstdint>
 
 #include "random.hpp"
-#include "render.hpp"
+#include "shared/ray_caster.hpp"
+#include "shared/scene.hpp"
 
-namespace hvl_render {
+namespace example::hvl_render {
 
 struct PathSettings {
   int samples_per_pixel = 256;
@@ -42,4 +43,4 @@ class PathTracer {
   int paths_per_position_;
 };
 
-}  // namespace hvl_render
+}  // namespace example::hvl_render

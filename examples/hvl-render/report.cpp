@@ -2,39 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
-namespace hvl_render {
+#include "shared/text_table.hpp"
+
+namespace example::hvl_render {
 namespace {
-
-template <class... Arguments>
-std::string format(const char* pattern, Arguments... arguments) {
-  char text[128];
-  std::snprintf(text, sizeof text, pattern, arguments...);
-  return text;
-}
-
-/// One line of the table: its name, then a cell for each method.
-using Row = std::vector<std::string>;
-
-std::size_t width_of(const std::vector<Row>& rows, std::size_t column) {
-  std::size_t width = 0;
-  for (const Row& row : rows) width = std::max(width, row[column].size());
-  return width;
-}
-
-/// Columns as wide as their widest cell, names to the left, cells to the right.
-std::string align(const std::vector<Row>& rows) {
-  std::string text;
-  for (const Row& row : rows) {
-    text += row[0] + std::string(width_of(rows, 0) - row[0].size(), ' ');
-    for (std::size_t column = 1; column < row.size(); ++column) {
-      text += std::string(3 + width_of(rows, column) - row[column].size(), ' ') + row[column];
-    }
-    text += '\n';
-  }
-  return text;
-}
 
 /// What one method did; a dash where a line is not its own.
 struct Column {
@@ -42,8 +14,6 @@ struct Column {
               direct = "-", indirect = "-", total = "-", rmse = "-", linear_rmse = "-", psnr = "-", ssim = "-",
               cost = "-";
 };
-
-std::string seconds_text(double seconds) { return format("%.3f", seconds); }
 
 /// The stages that both methods have, and the sum with the method's own.
 void add_shared(Column& column, const StageTimes& times, double own_seconds) {
@@ -124,28 +94,6 @@ std::vector<Row> table_rows(const std::vector<Column>& columns) {
 
 }  // namespace
 
-double StageTimes::seconds(const std::string& stage) const {
-  const auto found =
-      std::find_if(stages_.begin(), stages_.end(), [&](const auto& entry) { return entry.first == stage; });
-  return found == stages_.end() ? 0.0 : found->second;
-}
-
-double StageTimes::total() const {
-  double total = 0.0;
-  for (const auto& [stage, seconds] : stages_) total += seconds;
-  return total;
-}
-
-void StageTimes::add(const std::string& stage, double seconds) {
-  const auto found =
-      std::find_if(stages_.begin(), stages_.end(), [&](const auto& entry) { return entry.first == stage; });
-  if (found == stages_.end()) {
-    stages_.emplace_back(stage, seconds);
-  } else {
-    found->second += seconds;
-  }
-}
-
 double nanoseconds_per_gather(const Report& report) {
   const double pairs =
       static_cast<double>(report.counts.primary_hits) * static_cast<double>(report.counts.virtual_lights);
@@ -171,4 +119,4 @@ std::string table(const Report& report) {
   return text;
 }
 
-}  // namespace hvl_render
+}  // namespace example::hvl_render

@@ -7,9 +7,9 @@
 #include <zonal/gather/radius.hpp>
 #include <zonal/transform/window.hpp>
 
-#include "interrupt.hpp"
+#include "shared/interrupt.hpp"
 
-namespace hvl_render {
+namespace example::hvl_render {
 namespace {
 
 /// The light of one texel of the spotlight's map; its flux is zero where there is none.
@@ -39,15 +39,6 @@ void set_radii(std::vector<zonal::VirtualLight>& map, int side, const Spotlight&
   }
 }
 
-zonal::Window window_of(WindowRule rule) {
-  switch (rule) {
-    case WindowRule::hann: return zonal::Window::hann;
-    case WindowRule::sinc: return zonal::Window::sinc;
-    case WindowRule::none: break;
-  }
-  return zonal::Window::none;
-}
-
 }  // namespace
 
 int map_side(int lights) { return static_cast<int>(std::ceil(std::sqrt(static_cast<double>(lights)))); }
@@ -72,16 +63,15 @@ std::vector<zonal::VirtualLight> shoot_virtual_lights(const Scene& scene, const 
 MaterialTables project_materials(const std::vector<Material>& materials, const Options& options) {
   const int bands = std::max(options.bands, options.emission_bands);
   const auto for_each = [](int count, const auto& body) { tbb::parallel_for(0, count, body); };
-  const zonal::Window window = window_of(options.window);
   MaterialTables tables;
   for (const Material& material : materials) {
     throw_if_interrupted();
     const zonal::MaterialTable table = zonal::project_material(material.brdf, bands, 1e-4, for_each);
-    tables.receiving.push_back(table.windowed(window, options.bands));
-    tables.emitting.push_back(table.windowed(window, options.emission_bands));
+    tables.receiving.push_back(table.windowed(options.window, options.bands));
+    tables.emitting.push_back(table.windowed(options.window, options.emission_bands));
     tables.error = std::max(tables.error, table.achieved_error());
   }
   return tables;
 }
 
-}  // namespace hvl_render
+}  // namespace example::hvl_render

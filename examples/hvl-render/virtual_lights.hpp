@@ -6,10 +6,10 @@
 #include <zonal/material/material_table.hpp>
 
 #include "options.hpp"
-#include "ray_caster.hpp"
-#include "scene.hpp"
+#include "shared/ray_caster.hpp"
+#include "shared/scene.hpp"
 
-namespace hvl_render {
+namespace example::hvl_render {
 
 /// A scene's materials, projected: windowed for the bands with which a receiver reads them, and for those of
 /// a virtual light's emission.
@@ -30,4 +30,4 @@ std::vector<zonal::VirtualLight> shoot_virtual_lights(const Scene& scene, const 
                                                       const std::vector<zonal::MaterialTable>& tables,
                                                       const Options& options);
 
-}  // namespace hvl_render
+}  // namespace example::hvl_render

@@ -126,8 +126,8 @@ ZONAL_INLINE constexpr void ladder(Above&& above, Below&& below, Sink&& sink) {
       sink(Index<0>{}, T(raise_c), T(raise_s), T(keep(Index<0>{})));
     } else if constexpr (m == 1) {  // sin(0 phi) is no harmonic
       const auto lower_c = lower(Index<0>{});
-      sink(Index<-1>{}, T(raise_s), T(lower_c - raise_c), T(keep(Index<-1>{})));
-      sink(Index<1>{}, T(raise_c + lower_c), T(raise_s), T(keep(Index<1>{})));
+      sink(Index<-m>{}, T(raise_s), T(lower_c - raise_c), T(keep(Index<-m>{})));
+      sink(m, T(raise_c + lower_c), T(raise_s), T(keep(m)));
     } else {
       const auto lower_c = lower(Index<m - 1>{}), lower_s = lower(Index<1 - m>{});
       sink(Index<-m>{}, T(raise_s + lower_s), T(lower_c - raise_c), T(keep(Index<-m>{})));

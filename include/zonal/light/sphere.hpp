@@ -24,7 +24,8 @@ ZONAL_INLINE constexpr RadialProfile<N, T> sphere_profile(const Sight<T>& sight,
   const T sin_angle = min(radius * sight.inverse_distance, T(1));
   const T cos_angle = sqrt((T(1) - sin_angle) * (T(1) + sin_angle));
   const SphericalCap<T> cap{cos_angle, sin_angle};
-  constexpr long double least_cosine = constexpr_sqrt(std::numeric_limits<lane_t<T>>::epsilon()) / 2;
+  constexpr long double epsilon = static_cast<long double>(std::numeric_limits<lane_t<T>>::epsilon());
+  constexpr long double least_cosine = constexpr_sqrt(epsilon) / 2;
   const T tangent = sin_angle / max(cos_angle, T(least_cosine));
   const T slope = select(sight.distance < radius, T(0), T(-2 * kPi) * (sin_angle * tangent * sight.inverse_distance));
   RadialProfile<N, T> profile{};

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "options.hpp"
+#include "shared/names.hpp"
+
+namespace example::grid_render {
+
+inline const Names<Method> method_names{{"none", std::nullopt},
+                                        {"trilinear", zonal::Interpolation::trilinear},
+                                        {"taylor", zonal::Interpolation::taylor},
+                                        {"hermite", zonal::Interpolation::hermite}};
+
+}  // namespace example::grid_render

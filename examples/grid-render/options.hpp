@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <glm/glm.hpp>
+#include <zonal/grid/interpolation_weights.hpp>
+#include <zonal/transform/window.hpp>
+
+#include "shared/common_options.hpp"
+
+namespace example::grid_render {
+
+/// How the coefficients at a point come about: interpolated, or, without a value, by projecting each light there.
+using Method = std::optional<zonal::Interpolation>;
+
+struct Options : CommonOptions {
+  Options() { out = "grid-render.png"; }
+
+  int lights = 648;
+  std::string texture;                  // empty: lanterns
+  int texture_size = 64;                // texels on the longer side
+  std::optional<float> quadtree_error;  // none: a light for each texel
+
+  int bands = 5;
+  int lobe_bands = 9;
+  zonal::Window window = zonal::Window::none;
+  glm::ivec3 grid{8};
+  Method method = zonal::Interpolation::hermite;
+};
+
+/// Throws InputError with one line about what is wrong.
+CommandLine<Options> parse_command_line(int argc, char** argv);
+
+}  // namespace example::grid_render

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "options.hpp"
+#include "shared/image.hpp"
+#include "shared/scene.hpp"
+#include "shared/stage_times.hpp"
+
+namespace example::grid_render {
+
+/// The stages of a run, beside those of each pass, as the report names them.
+namespace stage_name {
+using namespace example::stage_name;
+inline constexpr const char* lights = "lights";
+}  // namespace stage_name
+
+/// A grid, as the report tells of it.
+struct GridFacts {
+  glm::ivec3 resolution{0};
+  std::size_t bytes = 0;
+  double seconds = 0.0;  // to build
+};
+
+/// One way to the picture.
+struct Pass {
+  std::string name;
+  Method method;
+  std::optional<GridFacts> grid;  // none: without a grid
+  double seconds = 0.0;           // interpolation, or projection, and shading
+  Image picture;                  // linear radiance
+  std::optional<ImageErrors> errors;
+
+  double total() const { return seconds + (grid ? grid->seconds : 0.0); }
+};
+
+struct Counts {
+  std::size_t triangles = 0;
+  std::size_t materials = 0;
+  std::size_t lights = 0;
+  std::size_t primary_samples = 0;
+  std::size_t primary_hits = 0;
+  std::size_t pixels_not_finite = 0;
+};
+
+/// Everything there is to say about a run.
+struct Report {
+  Options options;
+  StageTimes times;
+  Counts counts;
+  Machine machine;
+  Bounds box;                // of the grids
+  std::vector<Pass> passes;  // comparing, the reference, trilinear, and others
+};
+
+/// How much brighter than the differences of display values their pictures are.
+constexpr float difference_factor = 40.0f;
+
+/// How many vertices on an axis values alone would have in the time that the gradients' grid took to build, if a vertex
+/// takes as long as in the trilinear grid of equal memory; for a cube. Zero where nothing was compared.
+double equal_time_resolution(const Report& report);
+
+/// The aligned table for the terminal.
+std::string table(const Report& report);
+
+std::string json_text(const Report& report);
+
+}  // namespace example::grid_render

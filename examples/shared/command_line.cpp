@@ -1,0 +1,175 @@
+#include "command_line.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include <zonal/version.hpp>
+
+#include "help_formatter.hpp"
+#include "input_error.hpp"
+
+namespace example {
+namespace {
+
+CLI::Validator image_size() {
+  return validator([](const std::string& text) -> std::string {
+    std::array<int, 2> size{};
+    const auto possible = [](int length) { return length >= 1 && length <= 16384; };
+    if (parse_numbers(text, 'x', size) && possible(size[0]) && possible(size[1])) return {};
+    return "'" + text + "' is not a size such as 640x512, each side 1 to 16384";
+  });
+}
+
+/// One line about what is wrong, in other words than CLI11's where those are hard to read.
+std::string message(const CLI::ParseError& error) {
+  const std::string text = one_line(error.what());
+  if (error.get_name() != "ArgumentMismatch") return text;
+  return text.substr(0, text.find(':')) + " needs a value";
+}
+
+std::string version(const std::string& program) {
+  return program + " " + std::to_string(zonal::version_major) + "." + std::to_string(zonal::version_minor) + "." +
+         std::to_string(zonal::version_patch);
+}
+
+}  // namespace
+
+CLI::Validator validator(const std::function<std::string(const std::string&)>& check) {
+  return CLI::Validator(check, "");
+}
+
+CLI::Validator not_empty() {
+  return validator([](const std::string& text) { return text.empty() ? "the name is empty" : ""; });
+}
+
+CLI::Validator image_name() {
+  return validator([](const std::string& text) -> std::string {
+    const std::filesystem::path extension = std::filesystem::path(text).extension();
+    if (extension == ".png" || extension == ".exr") return {};
+    return "'" + text + "' does not end in .png or .exr";
+  });
+}
+
+std::string joined(const std::vector<int>& numbers) {
+  std::string text;
+  for (const int number : numbers) text += (text.empty() ? "" : "|") + std::to_string(number);
+  return text;
+}
+
+CLI::Validator one_of(const std::vector<int>& allowed) {
+  return validator([allowed](const std::string& given) -> std::string {
+    int number = 0;
+    const bool found =
+        parse_number(given, number) && std::find(allowed.begin(), allowed.end(), number) != allowed.end();
+    return found ? std::string() : "'" + given + "' is not one of " + joined(allowed);
+  });
+}
+
+CLI::Option* add_point(CLI::App& app, const std::string& name, std::optional<glm::vec3>& point,
+                       const std::string& help) {
+  const auto assign = [&point, name](const std::string& text) {
+    std::array<float, 3> parsed{};
+    const auto finite = [](float coordinate) { return std::isfinite(coordinate); };
+    if (!parse_numbers(text, ',', parsed) || !std::all_of(parsed.begin(), parsed.end(), finite))
+      throw CLI::ValidationError(name, "'" + text + "' is not a point x,y,z");
+    point = glm::vec3(parsed[0], parsed[1], parsed[2]);
+  };
+  return app.add_option_function<std::string>(name, assign, help)->type_name("X,Y,Z");
+}
+
+CLI::Option* add_angle(CLI::App& app, const std::string& name, float greatest_degrees, float scale,
+                       std::optional<float>& radians, const std::string& help) {
+  const auto assign = [&radians, scale](const float& degrees) { radians = scale * glm::radians(degrees); };
+  const std::string range = "1..." + std::to_string(static_cast<int>(greatest_degrees)) + " degrees";
+  return app.add_option_function<float>(name, assign, help)
+      ->type_name(range)
+      ->check(between(1.0f, greatest_degrees, range));
+}
+
+CLI::Option* add_one_of(CLI::App& app, const std::string& name, int& number, const std::vector<int>& allowed,
+                        const std::string& help) {
+  return app.add_option(name, number, help)->type_name(joined(allowed))->check(one_of(allowed))->capture_default_str();
+}
+
+CLI::Option* add_compare_option(CLI::App& app, CommonOptions& options, const std::string& help) {
+  return app.add_option("--compare", options.compare_directory, help)
+      ->type_name("DIRECTORY")
+      ->check(not_empty())
+      ->group(run_group);
+}
+
+CLI::Option* add_out_option(CLI::App& app, CommonOptions& options) {
+  return app.add_option("--out", options.out, "The picture: PNG for the screen, or EXR of linear radiance")
+      ->type_name("FILE.png|FILE.exr")
+      ->check(image_name())
+      ->capture_default_str()
+      ->group(run_group);
+}
+
+void add_run_options(CLI::App& app, CommonOptions& options) {
+  app.add_option("--report", options.report, "Write options, times, counts and errors there")
+      ->type_name("FILE.json")
+      ->check(not_empty())
+      ->group(run_group);
+  add_number(app, "--threads", options.threads, 0, 1024, "0...1024", "How many; 0 is all of the machine's")
+      ->group(run_group);
+  app.add_flag("--quiet", options.quiet, "Print neither progress nor the table")->group(run_group);
+}
+
+void add_scene_options(CLI::App& app, CommonOptions& options) {
+  app.add_option("--scene", options.scene, "The built-in hall, or a Wavefront OBJ file with its MTL")
+      ->type_name("atrium|FILE.obj")
+      ->check(not_empty())
+      ->capture_default_str()
+      ->group(scene_group);
+  app.add_flag_callback(
+         "--no-stage", [&options] { options.stage = false; }, "Show an OBJ alone, not on a floor before two walls")
+      ->group(scene_group);
+  CameraOverrides& camera = options.camera;
+  add_point(app, "--camera", camera.position, "Where the camera is, in metres; y is up")->group(scene_group);
+  add_point(app, "--target", camera.target, "What it looks at")->group(scene_group);
+  add_angle(app, "--fov", 170.0f, 1.0f, camera.vertical_field_of_view, "Its vertical field of view")
+      ->group(scene_group);
+}
+
+void add_image_options(CLI::App& app, CommonOptions& options) {
+  const std::string group = "Image";
+  const auto set_size = [&options](const std::string& text) {
+    std::array<int, 2> size{};
+    parse_numbers(text, 'x', size);
+    options.width = size[0];
+    options.height = size[1];
+  };
+  app.add_option_function<std::string>("--size", set_size, "In pixels")
+      ->type_name("WIDTHxHEIGHT")
+      ->check(image_size())
+      ->default_str(std::to_string(options.width) + "x" + std::to_string(options.height))
+      ->group(group);
+  add_number(app, "--antialias", options.antialias, 1, 16, "1...16", "A: A x A positions in each pixel")->group(group);
+  add_number(app, "--exposure", options.display.exposure_stops, -30.0f, 30.0f, "-30...30",
+             "Stops brighter, in PNG files and for the errors")
+      ->group(group);
+  add_choice(app, "--tone", tone_names, options.display.tone_map,
+             "From radiance to sRGB by a film curve, or cut off at 1")
+      ->group(group);
+}
+
+void set_up(CLI::App& app) {
+  app.formatter(std::make_shared<HelpFormatter>());
+  app.set_version_flag("--version", version(app.get_name()), "Print the version and exit");
+  app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+}
+
+std::optional<int> parse(CLI::App& app, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    return app.exit(success);
+  } catch (const CLI::ParseError& error) {
+    throw InputError(message(error));
+  }
+  return std::nullopt;
+}
+
+}  // namespace example

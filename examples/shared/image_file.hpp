@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "image.hpp"
+
+namespace example {
+
+/// The bytes of a file: 8 bits per channel of display values.
+std::string png_bytes(const Image& encoded);
+
+/// The bytes of a file: linear radiance, 32-bit float, ZIP-compressed.
+std::string exr_bytes(const Image& radiance);
+
+/// The one or the other, by the path's extension.
+std::string picture_bytes(const std::filesystem::path& path, const Image& radiance, const Display& display);
+
+/// Throws InputError unless an RGB image can be read.
+Image read_exr(const std::filesystem::path& path);
+
+/// EXR by its extension; else what stb_image reads, PNG, JPEG and HDR among it. Linear radiance. Throws InputError.
+Image read_picture(const std::filesystem::path& path);
+
+}  // namespace example

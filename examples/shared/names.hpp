@@ -1,0 +1,28 @@
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <zonal/transform/window.hpp>
+
+#include "image.hpp"
+
+namespace example {
+
+/// What the values of an enumeration are called on the command line and in reports, in --help's order.
+template <class Value>
+using Names = std::vector<std::pair<std::string, Value>>;
+
+template <class Value>
+std::string name_of(const Names<Value>& names, Value value) {
+  const auto found = std::find_if(names.begin(), names.end(), [&](const auto& entry) { return entry.second == value; });
+  return found->first;
+}
+
+inline const Names<ToneMap> tone_names{{"filmic", ToneMap::filmic}, {"clamp", ToneMap::clamp}};
+inline const Names<zonal::Window> window_names{
+    {"none", zonal::Window::none}, {"hann", zonal::Window::hann}, {"sinc", zonal::Window::sinc}};
+
+}  // namespace example

@@ -1,0 +1,52 @@
+#include "program.hpp"
+
+#include <cstdio>
+#include <exception>
+
+#include <tbb/info.h>
+
+#include "input_error.hpp"
+
+namespace example {
+namespace {
+
+constexpr int exit_bad_input = 2;
+constexpr int exit_by_signal = 128;  // and the signal's number, as of a shell
+
+}  // namespace
+
+int report_errors(const char* name, const std::function<int()>& body) {
+  try {
+    return body();
+  } catch (const Interrupted&) {
+    std::fprintf(stderr, "%s: interrupted, nothing written\n", name);
+    return exit_by_signal + stop_signal();
+  } catch (const InputError& error) {
+    std::fprintf(stderr, "%s: %s\n", name, error.what());
+    return exit_bad_input;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s: %s\n", name, error.what());
+    return 1;
+  }
+}
+
+void warn(const char* program, const std::string& text) {
+  std::fprintf(stderr, "%s: warning: %s\n", program, text.c_str());
+}
+
+void print_warnings(const char* program, const Scene& scene) {
+  for (const std::string& warning : scene.warnings) warn(program, warning);
+}
+
+std::size_t repair(const char* program, const std::vector<Image*>& pictures) {
+  std::size_t count = 0;
+  for (Image* picture : pictures) count += blacken_non_finite(*picture);
+  if (count > 0) warn(program, std::to_string(count) + " pixels are not finite; they are written black");
+  return count;
+}
+
+ThreadLimit::ThreadLimit(int threads)
+    : machine_{tbb::info::default_concurrency(), threads > 0 ? threads : tbb::info::default_concurrency()},
+      control_(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(machine_.threads)) {}
+
+}  // namespace example

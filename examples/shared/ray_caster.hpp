@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include <glm/glm.hpp>
+
+#include "embree_api.hpp"
+#include "scene.hpp"
+
+namespace example {
+
+/// Where a ray met a surface, as seen from the ray's origin: surfaces have two sides, and normals face the
+/// origin.
+struct Hit {
+  glm::vec3 position;
+  glm::vec3 geometric_normal;  // unit
+  glm::vec3 normal;            // unit, interpolated, less than a right angle from the way back
+  float distance;              // metres
+  std::uint32_t material;
+};
+
+/// Visibility in a scene, by Embree. The scene must outlive it. Safe to use from many threads.
+class RayCaster {
+ public:
+  explicit RayCaster(const Scene& scene);
+  ~RayCaster();
+  RayCaster(const RayCaster&) = delete;
+  RayCaster& operator=(const RayCaster&) = delete;
+
+  std::optional<Hit> closest(const glm::vec3& origin, const glm::vec3& direction) const;
+
+  /// Leaves `from` along `direction`, which may graze the surface.
+  std::optional<Hit> closest_from(const Hit& from, const glm::vec3& direction) const;
+
+  /// Is the segment from the surface to the point free?
+  bool visible(const Hit& from, const glm::vec3& point) const;
+  bool visible(const Hit& from, const Hit& to) const;
+
+ private:
+  glm::vec3 leave(const Hit& from, const glm::vec3& direction) const;
+
+  const Scene& scene_;
+  RTCDevice device_ = nullptr;
+  RTCScene accelerator_ = nullptr;
+  float offset_;  // metres off a surface, so that a ray does not meet its own origin
+};
+
+}  // namespace example

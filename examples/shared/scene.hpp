@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include <zonal/material/brdf.hpp>
+
+#include "camera.hpp"
+#include "light_panel.hpp"
+#include "spotlight.hpp"
+
+namespace example {
+
+struct Material {
+  std::string name;
+  zonal::Brdf brdf;
+};
+
+/// Indexed triangles with one unit normal per vertex and one material per triangle.
+struct Mesh {
+  std::vector<glm::vec3> positions;  // metres
+  std::vector<glm::vec3> normals;
+  std::vector<glm::uvec3> triangles;
+  std::vector<std::uint32_t> triangle_materials;
+};
+
+struct Bounds {
+  glm::vec3 lower{0.0f};
+  glm::vec3 upper{0.0f};
+
+  glm::vec3 centre() const { return 0.5f * (lower + upper); }
+  float radius() const { return 0.5f * glm::distance(lower, upper); }
+};
+
+struct Scene {
+  std::string name;
+  Mesh mesh;
+  std::vector<Material> materials;
+  Camera camera;
+  Spotlight light;
+  LightPanel panel;
+  std::vector<std::string> warnings;  // what of a file is left out, a line each
+};
+
+Bounds bounds_of(const Mesh& mesh);
+
+/// The built-in hall of columns.
+Scene make_atrium();
+
+/// An OBJ file and its MTL, camera and light fitted to it; `stage` puts it on a floor before a wall. Throws
+/// InputError.
+Scene load_obj(const std::string& path, bool stage);
+
+}  // namespace example

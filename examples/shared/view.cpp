@@ -1,0 +1,18 @@
+#include "view.hpp"
+
+#include "input_error.hpp"
+
+namespace example {
+
+Scene open_scene(const CommonOptions& options) {
+  return options.scene == "atrium" ? make_atrium() : load_obj(options.scene, options.stage);
+}
+
+void apply(const CameraOverrides& overrides, Camera& camera) {
+  camera.position = overrides.position.value_or(camera.position);
+  camera.target = overrides.target.value_or(camera.target);
+  camera.vertical_field_of_view = overrides.vertical_field_of_view.value_or(camera.vertical_field_of_view);
+  if (camera.position == camera.target) throw InputError("--camera and --target are the same point");
+}
+
+}  // namespace example

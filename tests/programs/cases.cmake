@@ -1,0 +1,47 @@
+# The programs as a user meets them: what they say of bad input, and what files they leave. A program's own file sets
+#   program   its target
+#   small     arguments that make it fast
+# and includes this one.
+set(programs_dir ${CMAKE_CURRENT_LIST_DIR})
+set(work_dir ${CMAKE_CURRENT_BINARY_DIR}/cases)
+
+add_test(NAME "${program}: inputs of the cases" COMMAND
+  ${programs_dir}/make_inputs.sh $<TARGET_FILE:${program}> ${programs_dir}/scenes ${work_dir}/inputs)
+set_tests_properties("${program}: inputs of the cases" PROPERTIES FIXTURES_SETUP ${program}_inputs)
+
+# program_case(<name> <exit status> <new files> <pattern of standard error> <command>...)
+function(program_case name status new_files pattern)
+  string(MAKE_C_IDENTIFIER "${name}" folder)
+  add_test(NAME "${program}: ${name}" COMMAND
+    ${programs_dir}/run_case.sh ${work_dir}/inputs ${work_dir}/${folder} ${status} "${new_files}" "${pattern}" ${ARGN})
+  set_tests_properties("${program}: ${name}" PROPERTIES FIXTURES_REQUIRED ${program}_inputs TIMEOUT 60)
+endfunction()
+
+# refused(<name> <pattern> <argument>...): exit status 2, one line, no file.
+function(refused name pattern)
+  program_case("${name}" 2 "" "${program}: ${pattern}" $<TARGET_FILE:${program}> ${small} ${ARGN})
+endfunction()
+
+# renders(<name> <new files> <pattern> <argument>...)
+function(renders name new_files pattern)
+  program_case("${name}" 0 "${new_files}" "${pattern}" $<TARGET_FILE:${program}> ${small} ${ARGN})
+endfunction()
+
+# stops(<argument>...): by a signal in the middle, within a second, and leaves no file. The first number is of seconds.
+function(stops)
+  foreach(signal_status INT:130 TERM:143)
+    string(REPLACE ":" ";" signal_status ${signal_status})
+    list(GET signal_status 0 signal)
+    list(GET signal_status 1 status)
+    program_case("stopped by SIG${signal}" ${status} "" "${program}: interrupted, nothing written"
+      timeout --preserve-status --kill-after=10 --signal=${signal} 2 $<TARGET_FILE:${program}> ${ARGN})
+  endforeach()
+endfunction()
+
+# shows_progress(<argument>...): in a narrow terminal, without wrapping.
+function(shows_progress)
+  add_test(NAME "${program}: narrow terminal" COMMAND
+    ${programs_dir}/narrow_terminal.sh ${work_dir}/narrow_terminal $<TARGET_FILE:${program}> ${ARGN})
+  set_tests_properties("${program}: narrow terminal" PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:" TIMEOUT 60)
+endfunction()
+

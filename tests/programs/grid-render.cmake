@@ -1,0 +1,76 @@
+# grid-render's cases.
+set(program grid-render)
+set(small --size 16x12 --antialias 1 --grid 2)
+include(${CMAKE_CURRENT_LIST_DIR}/cases.cmake)
+
+# ---- Arguments ------------------------------------------------------------------------------------------------------
+
+refused("unknown interpolation" "--interpolation: 'cubic' is not one of none.trilinear.taylor.hermite"
+  --interpolation cubic)
+refused("two modes" "--compare excludes --interpolation" --compare out --interpolation taylor)
+foreach(bands 0 4 abc)
+  refused("bands ${bands}" "--bands: '${bands}' is not one of 3.5.7.9" --bands ${bands})
+endforeach()
+foreach(bands 0 10)
+  refused("lobe bands ${bands}" "--lobe-bands: '${bands}' is not in 1...9" --lobe-bands ${bands})
+endforeach()
+foreach(lights 0 -4 many)
+  refused("lights ${lights}" "--lights: '${lights}' is not in 1...100000" --lights ${lights})
+endforeach()
+foreach(grid 1 33 8x8 8x8x8x8)
+  refused("grid ${grid}" "--grid: '${grid}' is not a resolution such as .*" --grid ${grid})
+endforeach()
+refused("lights and a texture" "--texture excludes --lights" --lights 4 --texture reference.exr)
+refused("quadtree without a texture" "--quadtree-error requires --texture" --quadtree-error 0.1)
+refused("quadtree error nan" "--quadtree-error: 'nan' is not in 0...1000" --texture reference.exr --quadtree-error nan)
+refused("texture size 0" "--texture-size: '0' is not in 1...512" --texture reference.exr --texture-size 0)
+
+# ---- Files ----------------------------------------------------------------------------------------------------------
+
+refused("scene missing" "nowhere.obj: no such file" --scene nowhere.obj)
+refused("scene nan" "nan.obj:[0-9]+: not three finite coordinates up to 1e8" --scene nan.obj)
+refused("texture missing" "nowhere.png: no such file" --texture nowhere.png)
+refused("texture that is a folder" "folder.png: is not a file" --texture folder.png)
+refused("texture of no format" "box.obj: cannot be read as a picture .*" --texture box.obj)
+refused("texture truncated" "truncated.exr: cannot be read as OpenEXR .*" --texture truncated.exr)
+refused("texture that is black" "black.png: is black, and lights nothing" --texture black.png)
+refused("out in no folder" "nowhere/x.png: cannot be written .*" --out nowhere/x.png)
+refused("report on the picture" "x.png: two outputs cannot be one file" --out x.png --report ./x.png)
+refused("report on a picture of the comparison" "out/taylor.exr: two outputs cannot be one file"
+  --compare out --report out/taylor.exr)
+refused("compare below a file" "box.obj: cannot be made a directory .*" --compare box.obj)
+refused("compare without a texture" "nowhere.png: no such file" --compare out --texture nowhere.png)
+
+# ---- What works -----------------------------------------------------------------------------------------------------
+
+foreach(pass hermite taylor trilinear trilinear-equal-memory)
+  list(APPEND compared out/${pass}-difference.png out/${pass}.exr out/${pass}.png)
+endforeach()
+list(APPEND compared out/reference.exr out/reference.png)
+list(SORT compared)
+list(JOIN compared " " compared)
+renders("help" "" "" --help)
+renders("comparison" "out ${compared} x.json" "" --scene box.obj --compare out --report x.json --bands 3)
+renders("picture without a grid" "x.png" "" --scene box.obj --interpolation none --bands 9 --out x.png)
+renders("flat scene without the stage" "grid-render.png" "" --scene triangle.obj --no-stage --quiet)
+renders("lit by a picture" "x.exr" "" --scene box.obj --texture reference.exr --quadtree-error 0.2 --out x.exr)
+
+stops(--compare out --lights 100000)
+shows_progress(--interpolation none --threads 1 --lights 2000 --size 160x128)
+
+# ---- Numbers --------------------------------------------------------------------------------------------------------
+
+add_test(NAME "grid-render: errors in the atrium" COMMAND ${CMAKE_COMMAND} -Dprogram=$<TARGET_FILE:grid-render>
+  -Dfolder=${work_dir}/errors -P ${programs_dir}/grid_errors.cmake)
+set_tests_properties("grid-render: errors in the atrium" PROPERTIES TIMEOUT 60)
+
+find_package(Catch2 QUIET)
+if(TARGET Catch2::Catch2)
+  include(Catch)
+  add_executable(test_grid_render ${programs_dir}/grid_render_test.cpp)
+  zonal_own_target(test_grid_render)
+  target_link_libraries(test_grid_render PRIVATE grid-render-parts
+    $<IF:$<TARGET_EXISTS:test_main>,test_main,Catch2::Catch2WithMain>)
+  target_include_directories(test_grid_render PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR}/examples)
+  catch_discover_tests(test_grid_render TEST_PREFIX "grid-render: " PROPERTIES TIMEOUT 60)
+endif()

@@ -1,0 +1,189 @@
+// What grid-render's own comparison cannot show, because both its sides have it: the shading against plain quadratures
+// of the materials, and the lights.
+#include "grid-render/lighting_bands.hpp"
+#include "grid-render/lights.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "catch.hpp"
+#include "shared/frame.hpp"
+
+namespace {
+
+using namespace example;
+using namespace example::grid_render;
+
+constexpr double pi = 3.14159265358979323846;
+
+/// The integral of BRDF and cosine over a cap of directions, by midpoints.
+glm::dvec3 integral_over_cap(const zonal::Brdf& brdf, const glm::dvec3& wo, const glm::vec3& axis, double cos_angle) {
+  constexpr int rows = 200, columns = 400;
+  const Frame frame(axis);
+  glm::dvec3 sum(0.0);
+  for (int row = 0; row < rows; ++row) {
+    const double z = cos_angle + (1.0 - cos_angle) * (row + 0.5) / rows, r = std::sqrt((1.0 - z) * (1.0 + z));
+    for (int column = 0; column < columns; ++column) {
+      const double phi = 2.0 * pi * (column + 0.5) / columns;
+      const glm::dvec3 wi(frame.to_world(glm::vec3(glm::dvec3(r * std::cos(phi), r * std::sin(phi), z))));
+      sum += zonal::evaluate(brdf, wi, wo) * std::max(wi.z, 0.0);
+    }
+  }
+  return sum * (2.0 * pi * (1.0 - cos_angle) / (rows * columns));
+}
+
+glm::vec3 direction(double degrees) {
+  return {static_cast<float>(std::sin(degrees * pi / 180.0)), 0.0f, static_cast<float>(std::cos(degrees * pi / 180.0))};
+}
+
+Reflector reflector_of(const zonal::Brdf& brdf, int bands) {
+  Options options;
+  options.bands = bands;
+  return project_materials({{"", brdf}}, options).front();
+}
+
+/// A surface at the origin that looks up z.
+Hit surface() { return {glm::vec3(0.0f), direction(0.0), direction(0.0), 1.0f, 0}; }
+
+void check_close(const glm::vec3& got, const glm::dvec3& expected, double share) {
+  for (int c = 0; c < 3; ++c) {
+    CAPTURE(c, expected[c]);
+    CHECK(std::abs(static_cast<double>(got[c]) - expected[c]) <= share * expected[c]);
+  }
+}
+
+const zonal::Brdf chalk{{zonal::LambertBrdf{{0.8f, 0.5f, 0.2f}}}};
+const zonal::Brdf gold{{zonal::GgxBrdf{0.5f, zonal::ConductorFresnel{{0.14f, 0.37f, 1.44f}, {3.98f, 2.39f, 1.60f}}}}};
+const zonal::Brdf shiny{{zonal::PhongBrdf{{0.3f, 0.4f, 0.5f}, 20.0f}}};
+
+LightPanel panel_of(float half_u, float half_v) {
+  return {{0.0f, 3.0f, 0.0f}, {half_u, 0.0f, 0.0f}, {0.0f, 0.0f, half_v}, 3.0f};
+}
+
+double disc_area(const SphereLights& lights) {
+  double sum = 0.0;
+  for (const auto& [light, colour] : lights) sum += pi * static_cast<double>(light.radius * light.radius);
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("shading: under an even sky every material reflects its albedo") {
+  zonal::Sh<5, glm::vec3> sky{};
+  sky[0] = glm::vec3(static_cast<float>(2.0 * std::sqrt(pi)));
+  for (const zonal::Brdf* brdf : {&chalk, &gold, &shiny}) {
+    for (const double degrees : {0.0, 30.0, 60.0}) {
+      CAPTURE(degrees);
+      const glm::vec3 to_eye = direction(degrees);
+      check_close(reflect(sky, surface(), to_eye, reflector_of(*brdf, 5)),
+                  integral_over_cap(*brdf, glm::dvec3(to_eye), direction(0.0), 0.0), 2e-3);
+    }
+  }
+}
+
+namespace {
+
+/// A sphere of half angle 30 degrees and radiance 2, seen at an angle in the plane of the eye; the eye at another.
+void check_sphere_light(const zonal::Brdf& brdf, double light_degrees, double eye_degrees, double share) {
+  CAPTURE(light_degrees, eye_degrees);
+  const SphereLights lights{{{3.0f * direction(light_degrees), 1.5f}, glm::vec3(2.0f)}};
+  const glm::vec3 to_eye = direction(eye_degrees);
+  const glm::vec3 got = make_lighting(lights, 9)->exact()->reflected(surface(), to_eye, reflector_of(brdf, 9));
+  const glm::dvec3 integral = integral_over_cap(brdf, glm::dvec3(to_eye), direction(light_degrees), std::cos(pi / 6.0));
+  check_close(got, 2.0 * integral, share);
+}
+
+}  // namespace
+
+TEST_CASE("shading: a sphere light above, seen from the normal") {
+  for (const double degrees : {0.0, 20.0, 40.0}) check_sphere_light(chalk, degrees, 0.0, 0.01);
+  for (const double degrees : {0.0, 20.0}) check_sphere_light(gold, degrees, 0.0, 0.03);
+}
+
+TEST_CASE("shading: a sphere light in the mirror direction, where the lobe of the normal stands for the true one") {
+  check_sphere_light(gold, -40.0, 40.0, 0.12);  // what the split sum costs there
+  check_sphere_light(shiny, -40.0, 40.0, 0.1);
+}
+
+TEST_CASE("lanterns: as many as asked for, as bright whatever their number, clear of the hall") {
+  const Scene atrium = make_atrium();
+  const RayCaster caster(atrium);
+  for (const int count : {1, 2, 7, 648, 2000}) {
+    Options options;
+    options.lights = count;
+    const SphereLights lights = make_lights(atrium, options);
+    REQUIRE(lights.size() == static_cast<std::size_t>(count));
+    double brightness = 0.0;
+    float clearance = std::numeric_limits<float>::infinity();
+    for (const auto& [light, colour] : lights) {
+      brightness += static_cast<double>(light.radius * light.radius * (colour.r + colour.g + colour.b) / 3.0f);
+      for (int i = 0; i < 27; ++i) {
+        const glm::vec3 towards(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+        if (i == 13) continue;
+        const std::optional<Hit> hit = caster.closest(light.center, glm::normalize(towards));
+        if (hit) clearance = std::min(clearance, hit->distance - light.radius);
+      }
+    }
+    CAPTURE(count);
+    CHECK(brightness == Catch::Approx(atrium.panel.distance * atrium.panel.distance).epsilon(1e-4));
+    CHECK(clearance > (count < 10 ? 0.0f : 1.0f));
+  }
+}
+
+TEST_CASE("textures: spheres fill the panel and keep the picture's light") {
+  const LightPanel panel = panel_of(1.0f, 2.0f);
+  Image picture(8, 16);
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+    picture.pixels[i] = glm::vec3(1.0f + static_cast<float>(i % 7), 2.0f, 1.0f + static_cast<float>(i % 3));
+  }
+  const auto light_of = [](const SphereLights& lights) {
+    glm::dvec3 sum(0.0);
+    for (const auto& [light, colour] : lights) {
+      sum += glm::dvec3(colour) * (pi * static_cast<double>(light.radius * light.radius));
+    }
+    return sum;
+  };
+  const SphereLights all = make_texture_lights(panel, picture, std::nullopt);
+  CHECK(all.size() == 8 * 16);
+  std::size_t before = all.size();
+  for (const float bound : {0.0f, 0.5f, 1.2f, 1000.0f}) {
+    const SphereLights lights = make_texture_lights(panel, picture, bound);
+    CAPTURE(bound, lights.size());
+    CHECK(lights.size() <= before);
+    before = lights.size();
+    CHECK(disc_area(lights) == Catch::Approx(static_cast<double>(panel.area())).epsilon(1e-5));
+    check_close(light_of(lights), light_of(all), 1e-5);
+  }
+  CHECK(before == 1);
+}
+
+TEST_CASE("textures: blocks of one colour become one light, and black ones none") {
+  const LightPanel panel = panel_of(1.0f, 1.0f);
+  Image picture(8, 8);
+  for (int y = 0; y < 4; ++y) {
+    for (int x = 4; x < 8; ++x) picture.at(x, y) = glm::vec3(1.0f, 2.0f, 3.0f);
+  }
+  const SphereLights lights = make_texture_lights(panel, picture, 0.0f);
+  REQUIRE(lights.size() == 1);
+  CHECK(lights[0].colour == glm::vec3(1.0f, 2.0f, 3.0f));
+  CHECK(glm::distance(lights[0].light.center, glm::vec3(0.5f, 3.0f, 0.5f)) < 1e-6f);
+  CHECK(make_texture_lights(panel, picture, std::nullopt).size() == 16);
+}
+
+TEST_CASE("textures: resampling keeps the mean, whatever the sizes") {
+  Image picture(5, 3);
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i) picture.pixels[i] = glm::vec3(static_cast<float>(i * i));
+  const auto mean = [](const Image& image) {
+    glm::dvec3 sum(0.0);
+    for (const glm::vec3& pixel : image.pixels) sum += pixel;
+    return sum / static_cast<double>(image.pixels.size());
+  };
+  for (const glm::ivec2& size : {glm::ivec2(1, 1), glm::ivec2(2, 2), glm::ivec2(5, 3), glm::ivec2(13, 7)}) {
+    const Image resampled = resample(picture, size.x, size.y);
+    REQUIRE(resampled.width == size.x);
+    REQUIRE(resampled.height == size.y);
+    check_close(mean(resampled), mean(picture), 1e-5);
+  }
+  CHECK(resample(picture, 5, 3).pixels == picture.pixels);
+}

@@ -1,0 +1,89 @@
+# hvl-render's cases.
+set(program hvl-render)
+set(small --size 16x12 --lights 4 --spp 1)
+include(${CMAKE_CURRENT_LIST_DIR}/cases.cmake)
+
+# ---- Arguments ------------------------------------------------------------------------------------------------------
+
+refused("unknown option" "The following argument was not expected: --foo" --foo)
+refused("stray argument" "The following argument was not expected: box.obj" box.obj)
+refused("option without its value" "--method needs a value" --method)
+refused("unknown method" "--method: 'magic' is not one of hvl.path" --method magic)
+foreach(bands 0 6 100 -1 abc 5.5)
+  refused("bands ${bands}" "--bands: '${bands}' is not one of .*" --bands ${bands})
+  refused("emission bands ${bands}" "--emission-bands: '${bands}' is not one of .*" --emission-bands ${bands})
+endforeach()
+foreach(lights 0 -4 1000001 many)
+  refused("lights ${lights}" "--lights: '${lights}' is not in 1...1000000" --lights ${lights})
+endforeach()
+foreach(size 0x0 -5x10 10x-1 640 640x 640x512x3 axb 99999x1)
+  refused("size ${size}" "--size: '${size}' is not a size such as .*" --size ${size})
+endforeach()
+foreach(radius 0 -1 nan inf r3)
+  refused("radius ${radius}" "--radius: '${radius}' is neither .*" --radius ${radius})
+endforeach()
+refused("radius factor nan" "--radius-factor: 'nan' is not in .*" --radius-factor nan)
+refused("spp 0" "--spp: '0' is not in 1...1000000" --spp 0)
+refused("bounces 0" "--bounces: '0' is not in 1...64" --bounces 0)
+refused("antialias 0" "--antialias: '0' is not in 1...16" --antialias 0)
+refused("threads -1" "--threads: '-1' is not in 0...1024" --threads -1)
+refused("exposure nan" "--exposure: 'nan' is not in -30...30" --exposure nan)
+refused("horizon unknown" "--horizon: 'x' is not one of .*" --horizon x)
+refused("camera of two coordinates" "--camera: '1,2' is not a point x,y,z" --camera 1,2)
+refused("camera nan" "--camera: '1,2,nan' is not a point x,y,z" --camera 1,2,nan)
+refused("camera at its target" "--camera and --target are the same point" --camera 1,1,1 --target 1,1,1)
+refused("field of view 0" "--fov: '0' is not in 1...170 degrees" --fov 0)
+refused("two modes" "--compare excludes --method" --compare out --method hvl)
+
+# ---- Scenes ---------------------------------------------------------------------------------------------------------
+
+refused("scene missing" "nowhere.obj: no such file" --scene nowhere.obj)
+program_case("scene without a name" 2 "" "hvl-render: --scene: the name is empty"
+  sh -c "'$<TARGET_FILE:hvl-render>' --scene ''")
+refused("scene that is a folder" "folder.obj: is not a file" --scene folder.obj)
+foreach(scene empty no_faces no_area edge)
+  refused("scene ${scene}" "${scene}.obj: no triangles in it" --scene ${scene}.obj)
+endforeach()
+foreach(scene nan infinite far short_vertex garbage)
+  refused("scene ${scene}" "${scene}.obj:[23]?: not three finite coordinates up to 1e8" --scene ${scene}.obj)
+endforeach()
+foreach(scene index_beyond index_before)
+  refused("scene ${scene}" "${scene}.obj: a face names a vertex that is not there" --scene ${scene}.obj)
+endforeach()
+foreach(scene index_zero index_word)
+  refused("scene ${scene}" "${scene}.obj: cannot be read as OBJ .*" --scene ${scene}.obj)
+endforeach()
+refused("scene missing_mtl" "missing_mtl.obj: its material file nowhere.mtl is missing .*" --scene missing_mtl.obj)
+
+# ---- Files ----------------------------------------------------------------------------------------------------------
+
+refused("out in no folder" "nowhere/x.png: cannot be written .*" --out nowhere/x.png)
+refused("out below a file" "box.obj/x.png: cannot be written .*" --out box.obj/x.png)
+refused("out on a folder" "folder.png: is not a regular file" --out folder.png)
+refused("out of no known format" "--out: 'x.jpg' does not end in .png or .exr" --out x.jpg)
+refused("report in no folder" "nowhere/x.json: cannot be written .*" --out x.png --report nowhere/x.json)
+refused("report on a pipe" "pipe: is not a regular file" --out x.png --report pipe)
+refused("report on the picture" "x.png: two outputs cannot be one file" --out x.png --report ./x.png)
+refused("compare in no folder" "nowhere/out: cannot be made a directory .*" --compare nowhere/out)
+refused("compare below a file" "box.obj: cannot be made a directory .*" --compare box.obj)
+refused("compare without a scene" "nowhere.obj: no such file" --compare out --scene nowhere.obj)
+refused("compare without a report" "nowhere/x.json: cannot be written .*" --compare out --report nowhere/x.json)
+refused("reference missing" "nowhere.exr: no such file" --out x.png --reference nowhere.exr)
+refused("reference that is a folder" "folder.png: is not a file" --out x.png --reference folder.png)
+refused("reference of another size" "other_size.exr: is 12x16, not 16x12" --out x.png --reference other_size.exr)
+refused("reference truncated" "truncated.exr: cannot be read as OpenEXR .*" --out x.png --reference truncated.exr)
+refused("reference of no format" "box.obj: cannot be read as OpenEXR .*" --out x.png --reference box.obj)
+
+# ---- What works -----------------------------------------------------------------------------------------------------
+
+renders("help" "" "" --help)
+renders("comparison" "out out/difference.png out/hvl.exr out/hvl.png out/reference.exr out/reference.png" ""
+  --compare out)
+renders("quiet picture and report" "x.exr x.json" "" --scene box.obj --out x.exr --report x.json --reference reference.exr --quiet)
+renders("OBJ by both methods" "out out/difference.png out/hvl.exr out/hvl.png out/reference.exr out/reference.png" ""
+  --scene box.obj --compare out --horizon exact --bounces 3)
+renders("OBJ without the stage" "x.png" "" --scene triangle.obj --no-stage --out x.png --method path)
+renders("the last of two equal options" "y.png" "" --scene box.obj --out x.png --out y.png)
+
+stops(--compare out --spp 1000000)
+shows_progress(--method path --threads 1 --spp 32 --size 160x128)

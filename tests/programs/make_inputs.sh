@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# What the cases of cases.cmake start from: the scenes, and pictures that the program itself writes.
+#   make_inputs.sh <program> <scenes> <folder>
+set -eu
+program="$1" scenes="$2" folder="$3"
+rm -rf "$folder"
+mkdir -p "$(dirname "$folder")"
+cp -r "$scenes" "$folder"
+cd "$folder"
+mkdir folder.obj folder.png
+mkfifo pipe
+"$program" --quiet --scene box.obj --lights 1 --size 16x12 --out reference.exr
+"$program" --quiet --scene box.obj --lights 1 --size 12x16 --out other_size.exr
+head -c 600 reference.exr >truncated.exr
+"$program" --quiet --scene box.obj --lights 1 --size 16x12 --exposure -30 --out black.png

@@ -90,8 +90,9 @@ void add_grid_options(CLI::App& app, Options& options) {
 CommandLine<Options> parse_command_line(int argc, char** argv) {
   CommandLine<Options> line;
   CLI::App app(
-      "Renders a scene lit by many sphere lights: their spherical harmonics and the gradients,\n"
-      "computed at the vertices of a 3D grid and interpolated between. No light casts a shadow.",
+      "Renders a scene lit by many sphere lights: their spherical harmonics and the\n"
+      "gradients, computed at the vertices of a 3D grid and interpolated between. No\n"
+      "light casts a shadow.",
       "grid-render");
   set_up(app);
   add_output_options(app, line.options);

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <random>
 
+#include <glm/geometric.hpp>
+
 #include "../catch.hpp"
 
 namespace {
@@ -144,6 +146,19 @@ TEST_CASE("grid from other lights: spots, soft spheres") {
         zonal::SoftSphereLight<N, double> wide{glm::dvec3(light.center), static_cast<double>(light.radius), {}};
         for (int l = 0; l < N; ++l) wide.kernel[l] = static_cast<double>(light.kernel[l]);
         return wide;
+      },
+      3e-6);
+}
+
+TEST_CASE("grid from directional lights: the same everywhere") {
+  check(
+      random_lights(3, 68,
+                    [](std::mt19937& random) {
+                      return zonal::DirectionalLight<float>{glm::normalize(random_point(random, -1.0F, 1.0F))};
+                    }),
+      {3, 2, 2},
+      [](const zonal::DirectionalLight<float>& light) {
+        return zonal::DirectionalLight<double>{glm::dvec3(light.direction)};
       },
       3e-6);
 }

@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "../light/point.hpp"
 #include "../light/radial.hpp"
 #include "coefficient_grid.hpp"
 #include "light_sums.hpp"
@@ -83,6 +84,23 @@ void add_lights(CoefficientGrid<N>& grid, const std::vector<ColouredLight<Light>
     }
     sums.finish([&](auto l, auto m, int c, const VertexLanes& value, const VertexLanes& x, const VertexLanes& y,
                     const VertexLanes& z) { vertices.add(grid, 3 * sh_index(l, m) + c, value, x, y, z); });
+  });
+}
+
+/// Adds directional lights: the same value everywhere, and no gradient.
+template <int N, class ForEach>
+void add_lights(CoefficientGrid<N>& grid, const std::vector<ColouredLight<DirectionalLight<float>>>& lights,
+                ForEach&& for_each) {
+  Sh<N, glm::vec3> sum{};
+  for (const auto& [light, colour] : lights) {
+    const Sh<N, float> sh = evaluate<N>(light.direction);
+    for (int i = 0; i < N * N; ++i) sum[i] += sh[i] * colour;
+  }
+  for_each(static_cast<int>(grid.vertex_count()), [&](int vertex) {
+    float* value = grid.data() + static_cast<std::size_t>(vertex) * CoefficientGrid<N>::vertex_size;
+    for (int i = 0; i < N * N; ++i) {
+      for (int c = 0; c < 3; ++c) value[3 * i + c] += sum[i][c];
+    }
   });
 }
 

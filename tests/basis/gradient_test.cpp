@@ -179,8 +179,8 @@ void check_sink_form() {
 }  // namespace
 
 TEST_CASE("gradient: handed out one by one or computed a degree at a time, it is the same but for rounding") {
-  zonal::unroll<1, 14>([](auto n) { check_sink_form<n, float>(); });
-  check_sink_form<21, double>();
+  zonal::unroll<1, 9>([](auto n) { check_sink_form<n, float>(); });
+  check_sink_form<10, double>();
 }
 
 TEST_CASE("gradient: the explicit polynomials, differentiated, have the same part across the direction") {

@@ -119,8 +119,7 @@ template <class T>
 inline constexpr ExponentialTable<T> exponential_table{};
 }  // namespace detail
 
-/// e^x. Greatest error, where the result is a normal number: 2 ulp for |x| < 1/4, and 1 ulp more for every binary digit
-/// of x; 6 ulp measured for float, 8 for double. 0 and infinity beyond the range of T.
+/// e^x. Greatest error 6 ulp of the result, where it is a normal number. Beyond the range of T: 0 and infinity.
 template <class T>
 ZONAL_INLINE constexpr T exp(const T& x) {
   constexpr auto& table = detail::exponential_table<T>;

@@ -144,8 +144,6 @@ class Recording {
     int operands[3] = {-1, -1, -1};
     const Recorder* given[3] = {&a, &b, &c};
     for (int i = 0; i < operand_count; ++i) operands[i] = recording.line_of(*given[i]);
-    const bool commutes = operation == Operation::add || operation == Operation::multiply;
-    if (commutes && operands[1] < operands[0]) std::swap(operands[0], operands[1]);
     return {&recording, recording.find_or_append(operation, operands, 0)};
   }
 
@@ -157,7 +155,10 @@ class Recording {
   }
 
   int find_or_append(Operation operation, const int (&operands)[3], float constant) {
-    const auto key = std::make_tuple(operation, operands[0], operands[1], operands[2], constant);
+    // a + b is b + a, but stays written as it was first.
+    const bool commutes = operation == Operation::add || operation == Operation::multiply;
+    const bool swaps = commutes && operands[1] < operands[0];
+    const auto key = std::make_tuple(operation, operands[swaps], operands[!swaps], operands[2], constant);
     const auto [entry, is_new] = index_.try_emplace(key, static_cast<int>(lines_.size()));
     if (is_new) lines_.push_back({operation, {operands[0], operands[1], operands[2]}, constant, {}});
     return entry->second;

@@ -15,8 +15,8 @@ namespace reference {
 
 namespace detail {
 template <long long p, long long q>
-inline constexpr long double root_of_pi = constexpr_sqrt(static_cast<long double>(p) * kPi /
-                                                         static_cast<long double>(q));
+inline constexpr long double root_of_pi =
+    constexpr_sqrt(static_cast<long double>(p) * kPi / static_cast<long double>(q));
 }  // namespace detail
 
 /// z_l of the indicator of the cap of all directions within an angle of the axis, 1 <= N <= 10, from the cosine
@@ -32,20 +32,17 @@ constexpr Zh<N, T> project_cap_closed_form(const T& cos_angle) {
   if constexpr (N > 2) zh[2] = T(root_of_pi<5, 4>) * (T(1) - c) * (T(1) + c) * c;
   if constexpr (N > 3) zh[3] = T(root_of_pi<7, 64>) * (T(1) - c) * (T(1) + c) * (T(5) * (c * c) - T(1));
   if constexpr (N > 4) zh[4] = T(root_of_pi<9, 64>) * (T(1) - c) * (T(1) + c) * c * (T(7) * (c * c) - T(3));
-  if constexpr (N > 5)
-    zh[5] = T(root_of_pi<11, 256>) * (T(1) - c) * (T(1) + c) * (T(21) * (c * c * c * c) - T(14) * (c * c) + T(1));
-  if constexpr (N > 6)
-    zh[6] = T(root_of_pi<13, 256>) * (T(1) - c) * (T(1) + c) * c * (T(33) * (c * c * c * c) - T(30) * (c * c) + T(5));
-  if constexpr (N > 7)
-    zh[7] = T(root_of_pi<15, 16384>) * (T(1) - c) * (T(1) + c) *
-            (T(429) * (c * c * c * c * c * c) - T(495) * (c * c * c * c) + T(135) * (c * c) - T(5));
-  if constexpr (N > 8)
-    zh[8] = T(root_of_pi<17, 16384>) * (T(1) - c) * (T(1) + c) * c *
-            (T(715) * (c * c * c * c * c * c) - T(1001) * (c * c * c * c) + T(385) * (c * c) - T(35));
-  if constexpr (N > 9)
-    zh[9] = T(root_of_pi<19, 65536>) * (T(1) - c) * (T(1) + c) *
-            (T(2431) * (c * c * c * c * c * c * c * c) - T(4004) * (c * c * c * c * c * c) + T(2002) * (c * c * c * c) -
-             T(308) * (c * c) + T(7));
+  if constexpr (N > 5) zh[5] = T(root_of_pi<11, 256>) * (T(1) - c) * (T(1) + c)
+      * (T(21) * (c * c * c * c) - T(14) * (c * c) + T(1));
+  if constexpr (N > 6) zh[6] = T(root_of_pi<13, 256>) * (T(1) - c) * (T(1) + c) * c
+      * (T(33) * (c * c * c * c) - T(30) * (c * c) + T(5));
+  if constexpr (N > 7) zh[7] = T(root_of_pi<15, 16384>) * (T(1) - c) * (T(1) + c)
+      * (T(429) * (c * c * c * c * c * c) - T(495) * (c * c * c * c) + T(135) * (c * c) - T(5));
+  if constexpr (N > 8) zh[8] = T(root_of_pi<17, 16384>) * (T(1) - c) * (T(1) + c) * c
+      * (T(715) * (c * c * c * c * c * c) - T(1001) * (c * c * c * c) + T(385) * (c * c) - T(35));
+  if constexpr (N > 9) zh[9] = T(root_of_pi<19, 65536>) * (T(1) - c) * (T(1) + c)
+      * (T(2431) * (c * c * c * c * c * c * c * c) - T(4004) * (c * c * c * c * c * c) + T(2002) * (c * c * c * c)
+      - T(308) * (c * c) + T(7));
   return zh;
 }
 

@@ -1,13 +1,13 @@
-// Functions between flat arrays of floats, in the language of the function they call: for GLSL, and for the same text as
-// C++.
+// Functions between flat arrays of floats, in the language of the function they call: for GLSL, and for the same text
+// as C++.
 #pragma once
 
 #include <zonal/glsl/recorded_function.hpp>
 
 #include <string>
 
-/// `void call_<name>(<index> from, <index> to)`: the inputs are numbers[from], numbers[from + 1], ..., and the outputs that
-/// are asked for go to results[to], results[to + 1], ....
+/// `void call_<name>(<index> from, <index> to)`: the inputs are numbers[from], numbers[from + 1], ..., and the outputs
+/// that are asked for go to results[to], results[to + 1], ....
 inline std::string caller_text(const zonal::glsl::RecordedFunction& function, const std::string& index_type) {
   using zonal::glsl::Direction;
   using zonal::glsl::Parameter;

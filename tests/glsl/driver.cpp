@@ -134,11 +134,17 @@ struct Driver::Functions {
   bool start(EGLDisplay candidate) {
     if (!initialize(candidate, nullptr, nullptr)) return false;
     const char* extensions = query_string(candidate, EGL_EXTENSIONS);
-    const bool is_surfaceless = extensions && std::string(extensions).find("EGL_KHR_surfaceless_context") != std::string::npos;
+    const bool is_surfaceless =
+        extensions && std::string(extensions).find("EGL_KHR_surfaceless_context") != std::string::npos;
     if (is_surfaceless && bind_api(EGL_OPENGL_API)) {
       for (const EGLint minor : {6, 5, 4, 3}) {
-        const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, minor,
-                                     EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+        const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                     4,
+                                     EGL_CONTEXT_MINOR_VERSION,
+                                     minor,
+                                     EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                     EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                     EGL_NONE};
         context = create_context(candidate, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
         if (context == EGL_NO_CONTEXT) continue;
         if (make_current(candidate, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {

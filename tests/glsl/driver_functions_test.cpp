@@ -78,7 +78,8 @@ void check_all(Select select, const zonal::glsl::TextOptions& options = {}) {
   Driver* driver = driver_or_skip();
   if (driver == nullptr) return;
   for (const FunctionEntry& entry : zonal_glsl::shader_functions()) {
-    for (int bands = 1; bands <= (entry.has_bands ? zonal::glsl::max_bands : 1); ++bands) select(*driver, entry, bands, options);
+    for (int bands = 1; bands <= (entry.has_bands ? zonal::glsl::max_bands : 1); ++bands)
+      select(*driver, entry, bands, options);
   }
 }
 
@@ -97,7 +98,9 @@ TEST_CASE("Every pair of orders, at 1 to 10 bands, is on the driver what it is i
 }
 
 TEST_CASE("With a temporary for every operation the driver computes the same") {
-  check_all([](Driver& driver, const FunctionEntry& entry, int bands, const auto& options) {
-    if (bands == 5 || !entry.has_bands) check(driver, entry, bands, zonal::glsl::all_orders, options);
-  }, {false});
+  check_all(
+      [](Driver& driver, const FunctionEntry& entry, int bands, const auto& options) {
+        if (bands == 5 || !entry.has_bands) check(driver, entry, bands, zonal::glsl::all_orders, options);
+      },
+      {false});
 }

@@ -25,8 +25,8 @@ bool run_from_list(std::string_view function, int bands, int order, const std::v
     if constexpr (!Entry::has_bands) {
       outputs = run_entry<Entry, 1>(order, inputs);
     } else {
-      zonal::dispatch_bands<1, zonal::glsl::max_bands>(
-          bands, [&](auto n) { outputs = run_entry<Entry, n>(order, inputs); });
+      zonal::dispatch_bands<1, zonal::glsl::max_bands>(bands,
+                                                       [&](auto n) { outputs = run_entry<Entry, n>(order, inputs); });
     }
   });
   return found;

@@ -21,7 +21,7 @@ void require_equal(const std::vector<float>& given, const std::vector<float>& ex
     const bool is_same = given[i] == expected[i] || std::abs(given[i] - expected[i]) <= tolerance ||
                          (std::isnan(given[i]) && std::isnan(expected[i]));
     if (is_same) continue;
-    CAPTURE(i, given[i], expected[i], inputs());
+    CAPTURE(i, given[i], expected[i], largest, inputs());
     FAIL("a shader and C++ differ");
   }
 }

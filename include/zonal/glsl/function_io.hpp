@@ -99,8 +99,8 @@ class FunctionIo {
   Triples<T> output_triples(const char* name, int count) {
     return {put({name, Direction::out, Domain::coefficient, 3, count})};
   }
-  Triples<T> sums(const char* name, int count) {
-    return {put({name, Direction::inout, Domain::coefficient, 3, count})};
+  Numbers<T> sums(const char* name, int count) {
+    return {put({name, Direction::inout, Domain::coefficient, 1, count})};
   }
 
   /// Whether coefficients of order m and -m are asked for: all of them, or one pair in a loop over m.

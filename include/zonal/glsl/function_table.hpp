@@ -14,7 +14,8 @@ inline constexpr int max_bands = 10;
 
 struct FunctionEntry {
   std::string_view name, summary;
-  bool has_bands, has_orders;
+  bool has_bands;
+  int (*order_count)(int bands);
   RecordedFunction (*record)(int bands, int order);
 };
 
@@ -32,7 +33,7 @@ template <class List>
 void append_functions(std::vector<FunctionEntry>& entries) {
   for_each_function(List{}, [&](auto entry) {
     using Entry = decltype(entry);
-    entries.push_back({Entry::name, Entry::summary, Entry::has_bands, Entry::has_orders, record_bands<Entry>});
+    entries.push_back({Entry::name, Entry::summary, Entry::has_bands, Entry::order_count, record_bands<Entry>});
   });
 }
 

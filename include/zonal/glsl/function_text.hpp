@@ -77,7 +77,7 @@ class FunctionWriter {
     return text;
   }
 
-  // ---- The signature ------------------------------------------------------------------------------------------------
+  // ---- The signature -----------------------------------------------------------------------------------------------
 
   std::string type(const Parameter& p) const {
     return std::string(p.components == 1 ? dialect_.number : p.components == 2 ? dialect_.pair : dialect_.triple);
@@ -127,7 +127,7 @@ class FunctionWriter {
     return text;
   }
 
-  // ---- The body -----------------------------------------------------------------------------------------------------
+  // ---- The body ----------------------------------------------------------------------------------------------------
 
   /// y[4], gradient[4].x, or (*y)[4].
   std::string element(const Parameter& p, int index) const {

@@ -21,12 +21,11 @@ namespace zonal::glsl {
 
 /// What most entries share.
 struct Function {
-  static constexpr bool has_bands = true;    // whether the number of bands matters
-  static constexpr bool has_orders = false;  // whether it takes part in a loop over orders
+  static constexpr bool has_bands = true;              // whether the number of bands matters
+  static constexpr int order_count(int) { return 0; }  // the length of the loop over orders it takes part in
 };
 
-// ---- Basis
-// ------------------------------------------------------------------------------------------------------------
+// ---- Basis ----------------------------------------------------------------------------------------------------------
 
 struct Evaluate : Function {
   static constexpr const char* name = "evaluate";
@@ -81,8 +80,7 @@ struct EvaluateWithGradient : Function {
   }
 };
 
-// ---- Lobes
-// ------------------------------------------------------------------------------------------------------------
+// ---- Lobes ----------------------------------------------------------------------------------------------------------
 
 struct Cap : Function {
   static constexpr const char* name = "cap";
@@ -168,8 +166,7 @@ struct Gaussian : Function {
   }
 };
 
-// ---- Transforms
-// -------------------------------------------------------------------------------------------------------
+// ---- Transforms -----------------------------------------------------------------------------------------------------
 
 namespace detail {
 template <template <int, class> class Coefficients, int N, int Count, class Io>
@@ -288,8 +285,7 @@ struct WindowFactors : Function {
   }
 };
 
-// ---- Lights
-// -----------------------------------------------------------------------------------------------------------
+// ---- Lights ---------------------------------------------------------------------------------------------------------
 
 namespace detail {
 template <class Io>
@@ -330,8 +326,7 @@ struct SphereWithGradient : Function {
   }
 };
 
-// ---- Grid
-// -------------------------------------------------------------------------------------------------------------
+// ---- Grid -----------------------------------------------------------------------------------------------------------
 
 template <Interpolation method>
 struct CellWeightsOf : Function {
@@ -373,28 +368,28 @@ struct CellPosition : Function {
   }
 };
 
+// The loop over lights that fills a grid, for one colour channel: three take a third of the registers at a time, and
+// few operations more.
 struct AddSphere : Function {
   static constexpr const char* name = "add_sphere";
-  static constexpr const char* summary = "Adds a coloured sphere light to the sums at a vertex.";
-  static constexpr bool has_orders = true;
+  static constexpr const char* summary = "Adds a sphere light to the sums at a vertex, in one colour channel.";
+  static constexpr int order_count(int bands) { return bands + 1; }  // the gradient needs one degree more
   template <int N, class Io>
   static void run(Io& io) {
     using T = typename Io::Scalar;
     const auto light = detail::take_sphere(io);
-    const auto colour = io.vector("colour", Domain::coefficient), x = io.vector("receiver", Domain::position);
+    const T radiance[3] = {io.number("radiance", Domain::coefficient), T(0), T(0)};
+    const auto x = io.vector("receiver", Domain::position);
     const auto value = io.sums("value", value_count<N>);
     const auto up = io.sums("up", up_count<N>), down = io.sums("down", down_count<N>);
     LightSums<N, T> sums;
-    const T rgb[3] = {colour[0], colour[1], colour[2]};
-    sums.add(light, rgb, x[0], x[1], x[2]);
+    sums.add(light, radiance, x[0], x[1], x[2]);
     sums.for_each([&](int l, int m, const T(&v)[3], const T(&u)[3], const T(&d)[3]) {
       if (!io.keeps(m)) return;
       const int i = sh_index(l, m);
-      for (int c = 0; c < 3; ++c) {
-        if (i < value_count<N>) value[i][c] = value[i][c] + v[c];
-        if (l > 0) up[i][c] = up[i][c] + u[c];
-        if (l + 1 < N) down[i][c] = down[i][c] + d[c];
-      }
+      if (l < N) value[i] = value[i] + v[0];
+      if (l > 0) up[i] = up[i] + u[0];
+      if (l + 1 < N) down[i] = down[i] + d[0];
     });
   }
 
@@ -412,39 +407,35 @@ struct ClearSums : Function {
   static constexpr const char* summary = "Sums of no light.";
   template <int N, class Io>
   static void run(Io& io) {
-    io.output_triples("value", AddSphere::value_count<N>);
-    io.output_triples("up", AddSphere::up_count<N>);
-    io.output_triples("down", AddSphere::down_count<N>);
+    io.output("value", AddSphere::value_count<N>);
+    io.output("up", AddSphere::up_count<N>);
+    io.output("down", AddSphere::down_count<N>);
   }
 };
 
 struct FinishSums : Function {
   static constexpr const char* name = "finish_sums";
-  static constexpr const char* summary = "The gradient from the sums that add_sphere leaves; `value` is the value.";
+  static constexpr const char* summary =
+      "The gradient from the sums that add_sphere leaves; the value is their `value`.";
   template <int N, class Io>
   static void run(Io& io) {
     using T = typename Io::Scalar;
-    const auto up = io.template triples<AddSphere::up_count<N>>("up", Domain::coefficient);
-    const auto down = io.template triples<AddSphere::down_count<N>>("down", Domain::coefficient);
-    const auto dx = io.output_triples("dx", N * N), dy = io.output_triples("dy", N * N);
-    const auto dz = io.output_triples("dz", N * N);
+    const auto up = io.template numbers<AddSphere::up_count<N>>("up", Domain::coefficient);
+    const auto down = io.template numbers<AddSphere::down_count<N>>("down", Domain::coefficient);
+    const auto gradient = io.output_triples("gradient", N * N);
     LightSums<N, T> sums;
     sums.for_each([&](int l, int m, T(&)[3], T(&u)[3], T(&d)[3]) {
-      for (int c = 0; c < 3; ++c) {
-        const auto i = static_cast<std::size_t>(3 * sh_index(l, m) + c);
-        if (l > 0) u[c] = up[i];
-        if (l + 1 < N) d[c] = down[i];
-      }
+      const auto i = static_cast<std::size_t>(sh_index(l, m));
+      if (l > 0) u[0] = up[i];
+      if (l + 1 < N) d[0] = down[i];
     });
-    sums.finish([&](auto l, auto m, int c, const T&, const T& x, const T& y, const T& z) {
-      const int i = sh_index(l, m);
-      dx[i][c] = x, dy[i][c] = y, dz[i][c] = z;
+    sums.finish([&](auto l, auto m, int channel, const T&, const T& x, const T& y, const T& z) {
+      if (channel == 0) gradient.set(sh_index(l, m), x, y, z);
     });
   }
 };
 
-// ---- Virtual lights
-// ---------------------------------------------------------------------------------------------------
+// ---- Virtual lights -------------------------------------------------------------------------------------------------
 
 template <Horizon method>
 struct HorizonOf : Function {
@@ -465,7 +456,7 @@ struct HvlRadiance : Function {
   static constexpr const char* summary =
       NE == 1 ? "The outgoing radiance that a diffuse virtual light causes: one band of emission."
               : "The outgoing radiance that a virtual light causes: three bands of emission.";
-  static constexpr bool has_orders = true;
+  static constexpr int order_count(int bands) { return bands; }
   template <int N, class Io>
   static void run(Io& io) {
     using T = typename Io::Scalar;
@@ -508,8 +499,7 @@ struct HvlRadiance : Function {
   }
 };
 
-// ---- The table
-// --------------------------------------------------------------------------------------------------------
+// ---- The table ------------------------------------------------------------------------------------------------------
 
 template <class... Entries>
 struct FunctionList {};

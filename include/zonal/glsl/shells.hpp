@@ -51,28 +51,29 @@ inline std::string light_loops(std::string_view loop, const std::vector<std::str
   for (const std::string& suffix : suffixes) text += substitute(std::string(loop), {{"$SUFFIX", suffix}});
   return text;
 }
-inline std::vector<std::string> order_suffixes(int bands, bool is_reversed) {
+template <class Entry>
+std::vector<std::string> order_suffixes(int bands, bool is_reversed) {
   if (!is_reversed) return {""};
   std::vector<std::string> suffixes;
-  for (int m = 0; m < bands; ++m) suffixes.push_back("_order_" + std::to_string(m));
+  for (int m = 0; m < Entry::order_count(bands); ++m) suffixes.push_back("_order_" + std::to_string(m));
   return suffixes;
 }
-inline std::vector<ShellNeed> with_orders(std::string_view function, int bands, bool is_reversed) {
-  if (!is_reversed) return {{function}};
+template <class Entry>
+std::vector<ShellNeed> with_orders(int bands, bool is_reversed) {
+  if (!is_reversed) return {{Entry::name}};
   std::vector<ShellNeed> needs;
-  for (int m = 0; m < bands; ++m) needs.push_back({function, m});
+  for (int m = 0; m < Entry::order_count(bands); ++m) needs.push_back({Entry::name, m});
   return needs;
 }
 
-// ---- The gather of virtual lights
-// ---------------------------------------------------------------------------------------
+// ---- The gather of virtual lights -----------------------------------------------------------------------------------
 
 template <int NE>
 std::string load_light() {
   constexpr int size = HvlRecord<NE, float>::emission_size;
   std::string emission;
   for (int i = 0; i < size; ++i) {
-    emission += "  light.emission[" + std::to_string(i) + "] = vec3(";
+    emission += "  hvl.emission[" + std::to_string(i) + "] = vec3(";
     for (int c = 0; c < 3; ++c) {
       emission += (c > 0 ? ", " : "") + ("ZONAL_LIGHT(at + " + std::to_string(10 + c * size + i) + "u)");
     }
@@ -95,12 +96,12 @@ struct zonal_Hvl_$NE {
 };
 zonal_Hvl_$NE zonal_load_hvl_$NE(uint i) {
   uint at = i * $FIELDSu;
-  zonal_Hvl_$NE light;
-  light.position = vec3(ZONAL_LIGHT(at), ZONAL_LIGHT(at + 1u), ZONAL_LIGHT(at + 2u));
-  light.normal = vec3(ZONAL_LIGHT(at + 3u), ZONAL_LIGHT(at + 4u), ZONAL_LIGHT(at + 5u));
-  light.tangent = vec3(ZONAL_LIGHT(at + 6u), ZONAL_LIGHT(at + 7u), ZONAL_LIGHT(at + 8u));
-  light.radius = ZONAL_LIGHT(at + 9u);
-$EMISSION  return light;
+  zonal_Hvl_$NE hvl;
+  hvl.position = vec3(ZONAL_LIGHT(at), ZONAL_LIGHT(at + 1u), ZONAL_LIGHT(at + 2u));
+  hvl.normal = vec3(ZONAL_LIGHT(at + 3u), ZONAL_LIGHT(at + 4u), ZONAL_LIGHT(at + 5u));
+  hvl.tangent = vec3(ZONAL_LIGHT(at + 6u), ZONAL_LIGHT(at + 7u), ZONAL_LIGHT(at + 8u));
+  hvl.radius = ZONAL_LIGHT(at + 9u);
+$EMISSION  return hvl;
 }
 #endif
 // The outgoing radiance that all virtual lights cause; see gather (zonal/gather/hvl.hpp). `material` is F of m >= 0 at the
@@ -111,13 +112,13 @@ $LOOPS  return max(sum, vec3(0.0f));
 }
 )";
   const std::string loop = R"(  for (uint i = 0u; i < light_count; ++i) {
-    zonal_Hvl_$NE light = zonal_load_hvl_$NE(i);
-    sum += zonal_$RADIANCE_$N$SUFFIX(light.position, light.normal, light.tangent, light.radius, light.emission,
+    zonal_Hvl_$NE hvl = zonal_load_hvl_$NE(i);
+    sum += zonal_$RADIANCE_$N$SUFFIX(hvl.position, hvl.normal, hvl.tangent, hvl.radius, hvl.emission,
                                      position, normal, tangent, material);
   }
 )";
   const std::string name = std::string("gather") + (NE == 1 ? "_diffuse" : "") + (is_reversed ? "_reversed" : "");
-  return substitute(text, {{"$LOOPS", light_loops(loop, order_suffixes(bands, is_reversed))},
+  return substitute(text, {{"$LOOPS", light_loops(loop, order_suffixes<HvlRadiance<NE>>(bands, is_reversed))},
                            {"$RADIANCE", HvlRadiance<NE>::name},
                            {"$FIELDS", std::to_string(HvlRecord<NE, float>::field_count)},
                            {"$SIZE", std::to_string(HvlRecord<NE, float>::emission_size)},
@@ -129,32 +130,31 @@ $LOOPS  return max(sum, vec3(0.0f));
 }
 template <int NE, bool is_reversed>
 std::vector<ShellNeed> gather_needs(int bands) {
-  return with_orders(HvlRadiance<NE>::name, bands, is_reversed);
+  return with_orders<HvlRadiance<NE>>(bands, is_reversed);
 }
 
-// ---- The grid
-// -----------------------------------------------------------------------------------------------------------
+// ---- The grid -------------------------------------------------------------------------------------------------------
 
 template <bool is_reversed>
 std::string sum_lights_text(int bands) {
   const std::string text =
-      R"(// Coefficients and their gradients at a vertex, of all sphere lights; see add_lights (zonal/grid/add_lights.hpp). A light is
-// 7 floats: center, radius, colour.
-void zonal_$NAME_$N(uint light_count, vec3 vertex, ZONAL_PRECISE out vec3 value[$COUNT], ZONAL_PRECISE out vec3 dx[$COUNT],
-    ZONAL_PRECISE out vec3 dy[$COUNT], ZONAL_PRECISE out vec3 dz[$COUNT]) {
-  ZONAL_PRECISE vec3 up[$UP];
-  ZONAL_PRECISE vec3 down[$DOWN];
+      R"(// Coefficients and gradients at a vertex of all sphere lights, in colour channel 0, 1 or 2; see add_lights
+// (zonal/grid/add_lights.hpp). A light is 7 floats: center, radius, colour.
+void zonal_$NAME_$N(uint light_count, uint channel, vec3 vertex, ZONAL_PRECISE out float value[$COUNT],
+    ZONAL_PRECISE out vec3 gradient[$COUNT]) {
+  ZONAL_PRECISE float up[$UP];
+  ZONAL_PRECISE float down[$DOWN];
   zonal_clear_sums_$N(value, up, down);
-$LOOPS  zonal_finish_sums_$N(up, down, dx, dy, dz);
+$LOOPS  zonal_finish_sums_$N(up, down, gradient);
 }
 )";
   const std::string loop = R"(  for (uint i = 0u; i < light_count; ++i) {
     uint at = i * 7u;
     zonal_add_sphere_$N$SUFFIX(vec3(ZONAL_LIGHT(at), ZONAL_LIGHT(at + 1u), ZONAL_LIGHT(at + 2u)), ZONAL_LIGHT(at + 3u),
-        vec3(ZONAL_LIGHT(at + 4u), ZONAL_LIGHT(at + 5u), ZONAL_LIGHT(at + 6u)), vertex, value, up, down);
+        ZONAL_LIGHT(at + 4u + channel), vertex, value, up, down);
   }
 )";
-  return substitute(text, {{"$LOOPS", light_loops(loop, order_suffixes(bands, is_reversed))},
+  return substitute(text, {{"$LOOPS", light_loops(loop, order_suffixes<AddSphere>(bands, is_reversed))},
                            {"$COUNT", std::to_string(bands * bands)},
                            {"$UP", std::to_string((bands + 1) * (bands + 1))},
                            {"$DOWN", std::to_string(bands > 1 ? (bands - 1) * (bands - 1) : 1)},
@@ -163,7 +163,7 @@ $LOOPS  zonal_finish_sums_$N(up, down, dx, dy, dz);
 }
 template <bool is_reversed>
 std::vector<ShellNeed> sum_lights_needs(int bands) {
-  std::vector<ShellNeed> needs = with_orders(AddSphere::name, bands, is_reversed);
+  std::vector<ShellNeed> needs = with_orders<AddSphere>(bands, is_reversed);
   needs.push_back({ClearSums::name});
   needs.push_back({FinishSums::name});
   return needs;

@@ -49,7 +49,7 @@ for bands in 1 2 5 10; do
     cpp)
       { cat functions; echo 'int main() {}'; } >shader.cpp
       "$cxx" -std=c++17 -O0 -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Werror \
-        -Wno-unused-function shader.cpp -o shader
+        -Wno-unused-function -Wno-unused-parameter shader.cpp -o shader
       ;;
   esac
 done

@@ -493,8 +493,8 @@ struct HvlRadiance : Function {
 
  private:
   template <class Io, class T>
-  static void take(Io& io, const char* name, Domain domain, T (&vector)[3]) {
-    const auto values = io.vector(name, domain);
+  static void take(Io& io, const char* parameter, Domain domain, T (&vector)[3]) {
+    const auto values = io.vector(parameter, domain);
     for (std::size_t i = 0; i < 3; ++i) vector[i] = values[i];
   }
 };

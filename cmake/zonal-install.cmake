@@ -13,5 +13,6 @@ install(FILES
     ${CMAKE_CURRENT_BINARY_DIR}/zonal-config.cmake
     ${CMAKE_CURRENT_BINARY_DIR}/zonal-config-version.cmake
     ${PROJECT_SOURCE_DIR}/cmake/zonal-render-dependencies.cmake
+    ${PROJECT_SOURCE_DIR}/cmake/zonal-shader.cmake
   DESTINATION ${package_dir} COMPONENT zonal)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT zonal)

@@ -16,6 +16,7 @@ struct Accuracy {
 
 inline constexpr std::string_view kAllDirections = "all unit vectors, poles included";
 inline constexpr std::string_view kAllCosines = "-1 to 1";
+inline constexpr std::string_view kNormalResults = "results that are normal numbers";
 inline constexpr std::string_view kOfTheDegree = "sqrt((2l+1)/4pi)";
 inline constexpr std::string_view kSteepest = "the degree's steepest slope";
 inline constexpr std::string_view kAllCaps = "half angles from asin(1e-12) to pi - asin(1e-12)";
@@ -62,6 +63,10 @@ inline constexpr Accuracy kAccuracyTable[] = {
     {"acos", "double", 0, kAllCosines, kUlpOfPi, 1.5},
     {"acos", "Packet of float", 0, kAllCosines, kUlpOfPi, 2},
     {"acos", "Packet of double", 0, kAllCosines, kUlpOfPi, 2},
+    {"exp", "float", 0, kNormalResults, kUlpOfResult, 6},
+    {"exp", "double", 0, kNormalResults, kUlpOfResult, 6},
+    {"exp", "Packet of float", 0, kNormalResults, kUlpOfResult, 6},
+    {"exp", "Packet of double", 0, kNormalResults, kUlpOfResult, 6},
     {"angle_from", "float", 0, "0 to pi", kUlpOfPi, 1.5},
     {"angle_from", "double", 0, "0 to pi", kUlpOfPi, 1.5},
     {"angle_from", "Packet of float", 0, "0 to pi", kUlpOfPi, 2},

@@ -27,7 +27,6 @@ inline std::vector<float> interpret(const zonal::Recording& recording, const std
       case Operation::maximum: value = zonal::max(operand(0), operand(1)); break;
       case Operation::absolute: value = std::abs(operand(0)); break;
       case Operation::square_root: value = std::sqrt(operand(0)); break;
-      case Operation::exponential: value = std::exp(operand(0)); break;
       case Operation::less: value = operand(0) < operand(1) ? 1.0F : 0.0F; break;
       case Operation::less_equal: value = operand(0) <= operand(1) ? 1.0F : 0.0F; break;
       case Operation::select: value = operand(0) != 0 ? operand(1) : operand(2); break;

@@ -135,6 +135,36 @@ void check_small_angles() {
   }
 }
 
+/// Where the result is a normal number; near 0, and on either side of each power of two.
+template <class S, class T>
+void check_exponentials() {
+  std::vector<T> inputs;
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> uniform;
+  const double greatest = std::log(static_cast<double>(std::numeric_limits<T>::max()));
+  for (int i = 0; i < 100000; ++i) {
+    const double near_power = std::exp2(std::floor(12 * uniform(random) - 3)) * (1 + 1e-6 * (uniform(random) - 0.5));
+    for (const double x :
+         {greatest * uniform(random), 4 * uniform(random), std::exp2(-30 * uniform(random)), near_power}) {
+      if (x > 0.98 * greatest) continue;
+      inputs.push_back(static_cast<T>(x));
+      inputs.push_back(static_cast<T>(-x));
+    }
+  }
+  while (inputs.size() % 16 != 0) inputs.push_back(T(0));
+  const auto results = map<S>(inputs, [](const auto& x) { return zonal::exp(x); });
+  Worst<T> worst, worst_small;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const long double exact = std::exp(static_cast<long double>(inputs[i]));
+    const long double error = std::abs(static_cast<long double>(results[i]) - exact) / ulp<T>(exact);
+    (std::abs(inputs[i]) < 1 ? worst_small : worst).meet(error, inputs[i]);
+  }
+  const std::string_view row = name<S, T>;
+  CAPTURE(row, sizeof(S) / sizeof(T), worst.error, worst.input, worst_small.error, worst_small.input);
+  CHECK(worst.error <= accuracy_bound("exp", row));
+  CHECK(worst_small.error <= worst.error);
+}
+
 using zonal::Packet;
 
 }  // namespace
@@ -177,6 +207,26 @@ TEST_CASE("asin, acos and angle_from at their ends") {
   // A cosine rounded beyond 1 is not a NaN.
   CHECK(zonal::angle_from(1.0000001F, 1e-4F) == Catch::Approx(1e-4F));
   CHECK(zonal::angle_from(1e-4F, 1.0000001F) == Catch::Approx(static_cast<float>(pi / 2) - 1e-4F));
+}
+
+TEST_CASE("exp is as accurate as promised") {
+  check_exponentials<float, float>();
+  check_exponentials<double, double>();
+  check_exponentials<Packet<float, 8>, float>();
+  check_exponentials<Packet<double, 4>, double>();
+}
+
+TEST_CASE("exp at its ends") {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  CHECK(zonal::exp(0.0F) == 1);
+  CHECK(zonal::exp(-0.0F) == 1);
+  CHECK(zonal::exp(-200.0F) == 0);
+  CHECK(zonal::exp(-infinity) == 0);
+  CHECK(zonal::exp(200.0F) == infinity);
+  CHECK(zonal::exp(infinity) == infinity);
+  CHECK(std::isnan(zonal::exp(std::numeric_limits<float>::quiet_NaN())));
+  CHECK(zonal::exp(-1000.0) == 0);
+  CHECK(zonal::exp(1.0L) == Catch::Approx(2.718281828459045235).epsilon(1e-16));
 }
 
 TEST_CASE("min, max, abs, select and clamp of the built-in scalars") {

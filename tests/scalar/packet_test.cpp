@@ -73,13 +73,6 @@ void check_operations() {
         return sqrt(abs(a));
       },
       2);
-  check_lanes<T, W>(
-      "exp",
-      [](const auto& a, const auto&, const auto&) {
-        using zonal::exp;
-        return exp(a);
-      },
-      4);
   check_lanes<T, W>("a<b", [](const auto& a, const auto& b, const auto& c) {
     using zonal::select;
     return select(a < b, b, c);

@@ -30,8 +30,8 @@ struct CellCoordinate {
   float t, rate;
 };
 inline CellCoordinate locate(float x, float low, float high, int vertices) {
-  const float last = static_cast<float>(vertices - 1), rate = last / (high - low);
-  const float inside = clamp((x - low) * rate, 0.0F, last);                // NaN stays
+  const float count = static_cast<float>(vertices), last = count - 1.0F, rate = cell_rate(low, high, count);
+  const float inside = cell_position(x, low, rate, count);                 // NaN stays
   const int cell = static_cast<int>(min(max(0.0F, inside), last - 1.0F));  // NaN is 0: the order of operands matters
   return {cell, inside - static_cast<float>(cell), x < low || high < x ? 0.0F : rate};
 }

@@ -61,6 +61,18 @@
 
 namespace zonal {
 
+namespace detail {
+// Cells per unit of length on an axis, and where a coordinate lies on it in units of cells: 0 to vertices - 1.
+template <class T>
+ZONAL_INLINE constexpr T cell_rate(const T& low, const T& high, const T& vertices) {
+  return (vertices - T(1)) / (high - low);
+}
+template <class T>
+ZONAL_INLINE constexpr T cell_position(const T& x, const T& low, const T& rate, const T& vertices) {
+  return clamp((x - low) * rate, T(0), vertices - T(1));
+}
+}  // namespace detail
+
 enum class Interpolation { trilinear, taylor, hermite };
 
 /// The blocks of a vertex that an interpolation reads: the value, or the value and its three derivatives.

@@ -12,6 +12,7 @@
 // For lambda < 1, where 1 - e^(-2 lambda) cancels, i_0 comes from sum (2l+1) i_l = e^lambda.
 #pragma once
 
+#include "../scalar/math.hpp"
 #include "lambert.hpp"
 
 namespace zonal {

@@ -55,10 +55,6 @@ struct Dual {
     const T root = sqrt(a.value);
     return chain(a, root, T(1) / (root + root));
   }
-  friend Dual exp(const Dual& a) {
-    const T e = exp(a.value);
-    return chain(a, e, e);
-  }
 
  private:
   // f(a) with df/da, and f(a, b) with both.

@@ -1,5 +1,5 @@
-// Inverse trigonometry for any scalar, from + - * / sqrt alone: every target then computes the same thing.
-// The drivers' own acos is wrong by up to 1e-4 on some targets.
+// Trigonometry and its inverse, and the exponential, for any scalar, from + - * / sqrt alone: every target then
+// computes the same thing. Some drivers' own acos is wrong by 1e-4, their exp by 10 ulp.
 #pragma once
 
 #include "constexpr_math.hpp"
@@ -84,6 +84,57 @@ ZONAL_INLINE constexpr SinCos<T> sin_cos(const T& x) {
     cosine = T(inverse_factorial(k - 1)) - square * cosine;
   });
   return {x * sine, cosine};
+}
+
+namespace detail {
+// For e^-x, x >= 0, as a product over the binary digits of x down to 1/4, and the Taylor series of the rest.
+template <class T>
+struct ExponentialTable {
+  using Limits = std::numeric_limits<lane_t<T>>;
+  static constexpr int fraction_digits = 2;
+  static constexpr long double greatest = (Limits::max_exponent + Limits::digits) * 0.693147180559945309417232121L;
+
+  int digits = 0, degree = 0;  // 2^-fraction_digits 2^digits is beyond `greatest`
+  long double power[24] = {}, factor[24] = {}, inverse_factorial[24] = {};
+
+  constexpr ExponentialTable() {
+    inverse_factorial[0] = 1;
+    for (int k = 1; k < 24; ++k) inverse_factorial[k] = inverse_factorial[k - 1] / k;
+    const auto greatest_term = [this](int k) {
+      long double term = inverse_factorial[k];
+      for (int i = 0; i < k; ++i) term /= 1 << fraction_digits;
+      return term;
+    };
+    while (greatest_term(degree + 1) > static_cast<long double>(Limits::epsilon()) / 8) ++degree;
+
+    long double step = 1.0L / (1 << fraction_digits), e = 0;  // e^-step by its series
+    for (int k = 23; k >= 0; --k) e = inverse_factorial[k] - step * e;
+    for (; step < greatest; step *= 2, e *= e) {
+      power[digits] = step;
+      factor[digits++] = e;
+    }
+  }
+};
+template <class T>
+inline constexpr ExponentialTable<T> exponential_table{};
+}  // namespace detail
+
+/// e^x. Greatest error 6 ulp of the result, where it is a normal number. Beyond the range of T: 0 and infinity.
+template <class T>
+ZONAL_INLINE constexpr T exp(const T& x) {
+  constexpr auto& table = detail::exponential_table<T>;
+  T rest = min(abs(x), T(table.greatest)), product = T(1);
+  unroll<0, table.digits>([&](auto i) ZONAL_INLINE {
+    constexpr int digit = table.digits - 1 - i;
+    const auto is_set = T(table.power[digit]) <= rest;
+    rest = select(is_set, rest - T(table.power[digit]), rest);
+    product = select(is_set, product * T(table.factor[digit]), product);
+  });
+  T series = T(table.inverse_factorial[table.degree]);
+  unroll<0, table.degree>(
+      [&](auto i) ZONAL_INLINE { series = T(table.inverse_factorial[table.degree - 1 - i]) - rest * series; });
+  const T fall = product * series;
+  return select(x < T(0), fall, T(1) / fall);
 }
 
 }  // namespace zonal

@@ -154,9 +154,6 @@ struct Packet {
   ZONAL_INLINE friend Packet sqrt(const Packet& a) {
     return Packet(Registers::map([](const auto& x) ZONAL_INLINE { return Eigen::internal::psqrt(x); }, a.lanes));
   }
-  ZONAL_INLINE friend Packet exp(const Packet& a) {
-    return Packet(Registers::map([](const auto& x) ZONAL_INLINE { return Eigen::internal::pexp(x); }, a.lanes));
-  }
 
   ZONAL_INLINE friend Mask operator<(const Packet& a, const Packet& b) {
     return {Registers::map([](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pcmp_lt(x, y); },

@@ -4,9 +4,9 @@
 //   auto y = evaluate<5>(std::array{recording.input("x"), recording.input("y"), recording.input("z")});
 //   OperationCount count = recording.count(y.begin(), y.end());
 //
-// Two constants combine to a constant in float, as the C++ kernel does; x+0, x-0, x*1 and x/1 are x. An
-// operation that was written before on the same operands is not written again. What the asked-for outputs do not
-// need does not count.
+// Two constants combine to a constant in float, as the C++ kernel does; x+0, x-0, x*1 and x/1 are x, and x*0 is 0: for
+// finite numbers, and up to the sign of a zero. An operation that was written before on the same operands is not
+// written again. What the asked-for outputs do not need does not count.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,6 @@ enum class Operation : std::uint8_t {
   maximum,
   absolute,
   square_root,
-  exponential,
   less,
   less_equal,
   select,
@@ -42,9 +41,9 @@ class Recording;
 /// A float constant, or the result of a line of a Recording.
 class Recorder {
  public:
-  Recorder() = default;
+  Recorder() = default;  // indeterminate, as a float
   template <class C, class = std::enable_if_t<std::is_arithmetic_v<C>>>
-  explicit Recorder(C constant) : constant_(static_cast<float>(constant)) {}
+  explicit Recorder(C constant) : recording_(nullptr), line_(-1), constant_(static_cast<float>(constant)) {}
 
   bool is_constant() const { return recording_ == nullptr; }
   float constant() const { return constant_; }
@@ -52,11 +51,11 @@ class Recorder {
 
  private:
   friend class Recording;
-  Recorder(Recording* recording, int line) : recording_(recording), line_(line) {}
+  Recorder(Recording* recording, int line) : recording_(recording), line_(line), constant_(0) {}
 
-  Recording* recording_ = nullptr;
-  int line_ = -1;
-  float constant_ = 0;
+  Recording* recording_;
+  int line_;
+  float constant_;
 };
 
 /// What comparing two Recorders gives.
@@ -69,7 +68,7 @@ struct OperationCount {
   int additions = 0;        // + - and unary -
   int multiplications = 0;  // *
   int divisions = 0;        // /
-  int functions = 0;        // sqrt exp
+  int functions = 0;        // sqrt
   int comparisons = 0;      // < <= min max abs select
   int total() const { return additions + multiplications + divisions + functions + comparisons; }
 };
@@ -126,8 +125,7 @@ class Recording {
         case Operation::subtract: ++count.additions; break;
         case Operation::multiply: ++count.multiplications; break;
         case Operation::divide: ++count.divisions; break;
-        case Operation::square_root:
-        case Operation::exponential: ++count.functions; break;
+        case Operation::square_root: ++count.functions; break;
         case Operation::minimum:
         case Operation::maximum:
         case Operation::absolute:
@@ -146,8 +144,6 @@ class Recording {
     int operands[3] = {-1, -1, -1};
     const Recorder* given[3] = {&a, &b, &c};
     for (int i = 0; i < operand_count; ++i) operands[i] = recording.line_of(*given[i]);
-    const bool commutes = operation == Operation::add || operation == Operation::multiply;
-    if (commutes && operands[1] < operands[0]) std::swap(operands[0], operands[1]);
     return {&recording, recording.find_or_append(operation, operands, 0)};
   }
 
@@ -159,7 +155,10 @@ class Recording {
   }
 
   int find_or_append(Operation operation, const int (&operands)[3], float constant) {
-    const auto key = std::make_tuple(operation, operands[0], operands[1], operands[2], constant);
+    // a + b is b + a, but stays written as it was first.
+    const bool commutes = operation == Operation::add || operation == Operation::multiply;
+    const bool swaps = commutes && operands[1] < operands[0];
+    const auto key = std::make_tuple(operation, operands[swaps], operands[!swaps], operands[2], constant);
     const auto [entry, is_new] = index_.try_emplace(key, static_cast<int>(lines_.size()));
     if (is_new) lines_.push_back({operation, {operands[0], operands[1], operands[2]}, constant, {}});
     return entry->second;
@@ -198,6 +197,7 @@ inline Recorder operator-(const Recorder& a, const Recorder& b) {
 inline Recorder operator*(const Recorder& a, const Recorder& b) {
   if (detail::is(a, 1)) return b;
   if (detail::is(b, 1)) return a;
+  if (detail::is(a, 0) || detail::is(b, 0)) return Recorder(0);
   return detail::record(Operation::multiply, a, b, [](float x, float y) { return x * y; });
 }
 inline Recorder operator/(const Recorder& a, const Recorder& b) {
@@ -215,9 +215,6 @@ inline Recorder abs(const Recorder& a) {
 }
 inline Recorder sqrt(const Recorder& a) {
   return detail::record(Operation::square_root, a, [](float x) { return sqrt(x); });
-}
-inline Recorder exp(const Recorder& a) {
-  return detail::record(Operation::exponential, a, [](float x) { return exp(x); });
 }
 inline RecorderMask operator<(const Recorder& a, const Recorder& b) {
   return {detail::record(Operation::less, a, b, [](float x, float y) { return x < y ? 1.0F : 0.0F; })};

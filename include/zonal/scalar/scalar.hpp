@@ -6,7 +6,7 @@
 //   + - * / unary-               arithmetic
 //   < <= > >=                     comparisons, which give a mask_t<T>
 //   select(mask, a, b)            a where the mask holds, b elsewhere; both are computed
-//   min max abs sqrt exp          found by argument-dependent lookup
+//   min max abs sqrt              found by argument-dependent lookup
 //
 // Ready-made scalars: float, double, long double (here), Packet (packet.hpp), Dual (dual.hpp),
 // Shadow (shadow.hpp) and Recorder (recorder.hpp). A type of your own joins by offering the list above
@@ -73,10 +73,6 @@ constexpr IfBuiltin<T, T> abs(T a) {
 template <class T>
 IfBuiltin<T, T> sqrt(T a) {
   return std::sqrt(a);
-}
-template <class T>
-IfBuiltin<T, T> exp(T a) {
-  return std::exp(a);
 }
 
 /// sum += a * b. Packets have one that folds (packet.hpp).

@@ -38,7 +38,6 @@ struct Shadow {
   friend Shadow max(const Shadow& a, const Shadow& b) { return a < b ? b : a; }
   friend Shadow abs(const Shadow& a) { return a.value < Narrow(0) ? -a : a; }
   friend Shadow sqrt(const Shadow& a) { return {sqrt(a.value), sqrt(a.wide)}; }
-  friend Shadow exp(const Shadow& a) { return {exp(a.value), exp(a.wide)}; }
 };
 
 template <class Narrow, class Wide>

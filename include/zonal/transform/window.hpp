@@ -3,26 +3,23 @@
 // [1] Sloan, Stupid spherical harmonics tricks, GDC 2008.
 #pragma once
 
-#include <cmath>
 #include <type_traits>
 #include <utility>
 
 #include "../basis/sh.hpp"
-#include "../scalar/constexpr_math.hpp"
+#include "../scalar/math.hpp"
 
 namespace zonal {
 
 enum class Window { none, hann, sinc };
 
 /// The factor of degree l, 0 <= l <= width: hann (1 + cos(pi l/width))/2, sinc sin(pi l/width)/(pi l/width) [1].
-inline double window_factor(Window window, int degree, double width) {
-  const double x = static_cast<double>(kPi) * degree / width;
-  switch (window) {
-    case Window::hann: return (1 + std::cos(x)) / 2;
-    case Window::sinc: return degree == 0 ? 1 : std::sin(x) / x;
-    case Window::none: break;
-  }
-  return 1;
+template <class T>
+ZONAL_INLINE constexpr T window_factor(Window window, int degree, const T& width) {
+  if (window == Window::none || degree == 0) return T(1);
+  const T half = T(kPi / 2 * degree) / width;  // (1 + cos(2x))/2 = cos^2 x, sin(2x) = 2 sin x cos x
+  const SinCos<T> at = sin_cos(half);
+  return at.cosine * (window == Window::hann ? at.cosine : at.sine / half);
 }
 
 namespace detail {

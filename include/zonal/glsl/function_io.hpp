@@ -1,0 +1,140 @@
+// The parameters of a shader function, and the object through which a kernel takes and gives them in any scalar.
+//
+// An entry of the table (functions.hpp) names its inputs and outputs as it uses them:
+//
+//   const auto direction = io.vector("direction", Domain::unit_vector);
+//   auto y = io.output("y", N * N);
+//   evaluate<N>(direction[0], direction[1], direction[2], [&](auto l, auto m, const T& value) { y(l, m) = value; });
+//
+// With a Recorder that writes the shader function down, parameters and all; with a float it runs it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "../lobe/cap.hpp"
+
+namespace zonal::glsl {
+
+/// What the numbers of an input are: for documentation, and for the tests to draw them from.
+enum class Domain {
+  coefficient,      // any number of moderate size
+  unit_vector,      //
+  position,         // any point
+  length,           // > 0
+  angle,            // its cosine and sine, 0 to pi
+  half_angle,       // its cosine and sine, 0 to pi/2
+  cosine,           // -1 to 1
+  exponent,         // >= 0
+  window_width,     // >= the number of bands less one
+  cell_coordinate,  // 0 to 1
+  vertex_count,     // a whole number, >= 2
+};
+
+enum class Direction { in, out, inout };
+
+/// `count` numbers, pairs or triples, by `components`; count 0 is a single one that is no array.
+struct Parameter {
+  const char* name;
+  Direction direction;
+  Domain domain;
+  int components;
+  int count;
+
+  bool is_array() const { return count > 0; }
+  int elements() const { return is_array() ? count : 1; }
+  int size() const { return elements() * components; }
+};
+
+/// Numbers, or triples of them, that a kernel writes; an inout also reads them.
+template <class T>
+struct Numbers {
+  T* values;
+  T& operator[](int i) const { return values[i]; }
+};
+template <class T>
+struct Triples {
+  T* values;
+  T* operator[](int i) const { return values + 3 * i; }
+  void set(int i, const T& x, const T& y, const T& z) const {
+    values[3 * i] = x, values[3 * i + 1] = y, values[3 * i + 2] = z;
+  }
+};
+
+inline constexpr int all_orders = -1;
+
+/// Hands a kernel its inputs and collects its outputs.
+template <class T>
+class FunctionIo {
+ public:
+  using Scalar = T;
+  /// The next number of an input.
+  using Source = std::function<T(const Parameter& parameter)>;
+
+  explicit FunctionIo(Source source, int order = all_orders) : source_(std::move(source)), order_(order) {}
+
+  T number(const char* name, Domain domain) { return take<1>({name, Direction::in, domain, 1, 0})[0]; }
+  std::array<T, 3> vector(const char* name, Domain domain) { return take<3>({name, Direction::in, domain, 3, 0}); }
+  SphericalCap<T> cap(const char* name, Domain domain) {
+    const auto values = take<2>({name, Direction::in, domain, 2, 0});
+    return {values[0], values[1]};
+  }
+  template <int Count>
+  std::array<T, std::size_t{Count}> numbers(const char* name, Domain domain) {
+    return take<std::size_t{Count}>({name, Direction::in, domain, 1, Count});
+  }
+  template <int Count>
+  std::array<T, std::size_t{3 * Count}> triples(const char* name, Domain domain) {
+    return take<std::size_t{3 * Count}>({name, Direction::in, domain, 3, Count});
+  }
+
+  /// count 0: a single one, which the function returns if it has no other output.
+  Numbers<T> output(const char* name, int count) {
+    return {put({name, Direction::out, Domain::coefficient, 1, count})};
+  }
+  Triples<T> output_triples(const char* name, int count) {
+    return {put({name, Direction::out, Domain::coefficient, 3, count})};
+  }
+  Numbers<T> sums(const char* name, int count) {
+    return {put({name, Direction::inout, Domain::coefficient, 1, count})};
+  }
+
+  /// Whether coefficients of order m and -m are asked for: all of them, or one pair in a loop over m.
+  bool keeps(int m) const { return order_ == all_orders || order_ == (m < 0 ? -m : m); }
+
+  const std::vector<Parameter>& parameters() const { return parameters_; }
+  /// The numbers of all outputs and inouts, one after the other.
+  std::vector<T> outputs() const {
+    std::vector<T> all;
+    for (const auto& values : outputs_) all.insert(all.end(), values.begin(), values.end());
+    return all;
+  }
+
+ private:
+  template <std::size_t Size>
+  std::array<T, Size> take(const Parameter& parameter) {
+    std::array<T, Size> values;
+    for (T& value : values) value = source_(parameter);
+    parameters_.push_back(parameter);
+    return values;
+  }
+  T* put(const Parameter& parameter) {
+    std::vector<T>& values = outputs_.emplace_back(static_cast<std::size_t>(parameter.size()), T(0));
+    if (parameter.direction == Direction::inout) {
+      for (T& value : values) value = source_(parameter);
+    }
+    parameters_.push_back(parameter);
+    return values.data();
+  }
+
+  Source source_;
+  int order_;
+  std::vector<Parameter> parameters_;
+  std::deque<std::vector<T>> outputs_;  // a deque: kernels hold pointers into it
+};
+
+}  // namespace zonal::glsl

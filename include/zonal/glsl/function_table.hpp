@@ -1,0 +1,40 @@
+// The table of functions (functions.hpp) for names and numbers of bands known at run time.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "../basis/bands.hpp"
+#include "functions.hpp"
+#include "recorded_function.hpp"
+
+namespace zonal::glsl {
+
+inline constexpr int max_bands = 10;
+
+struct FunctionEntry {
+  std::string_view name, summary;
+  bool has_bands;
+  int (*order_count)(int bands);
+  RecordedFunction (*record)(int bands, int order);
+};
+
+/// An entry of the table, written down with 1 to max_bands bands.
+template <class Entry>
+RecordedFunction record_bands(int bands, int order) {
+  RecordedFunction result;
+  if constexpr (!Entry::has_bands) return record<Entry, 1>(order);
+  dispatch_bands<1, max_bands>(bands, [&](auto n) { result = record<Entry, n>(order); });
+  return result;
+}
+
+/// Appends a list of entries, in its order.
+template <class List>
+void append_functions(std::vector<FunctionEntry>& entries) {
+  for_each_function(List{}, [&](auto entry) {
+    using Entry = decltype(entry);
+    entries.push_back({Entry::name, Entry::summary, Entry::has_bands, Entry::order_count, record_bands<Entry>});
+  });
+}
+
+}  // namespace zonal::glsl

@@ -1,0 +1,71 @@
+// A kernel written down as a function: its name, its parameters, and its record.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "../scalar/recorder.hpp"
+#include "function_io.hpp"
+
+namespace zonal::glsl {
+
+struct RecordedFunction {
+  std::string name;     // zonal_evaluate_5
+  std::string summary;  // one line
+  std::vector<Parameter> parameters;
+  std::unique_ptr<Recording> recording;
+  std::vector<Recorder> outputs;  // of all outputs and inouts, one after the other
+  std::vector<bool> kept;         // which of them are asked for
+
+  bool is_input(const Recorder& r) const {
+    return !r.is_constant() && recording->lines()[static_cast<std::size_t>(r.line())].operation == Operation::input;
+  }
+
+  /// The operations that the outputs asked for need.
+  OperationCount count() const {
+    const std::vector<Recorder> asked = kept_outputs();
+    return recording->count(asked.begin(), asked.end());
+  }
+  std::vector<Recorder> kept_outputs() const {
+    std::vector<Recorder> asked;
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+      if (kept[i]) asked.push_back(outputs[i]);
+    }
+    return asked;
+  }
+};
+
+/// zonal_<name>_<bands>, and _order_<m> for one pair of orders.
+template <class Entry>
+std::string function_name(int bands, int order) {
+  std::string name = std::string("zonal_") + Entry::name;
+  if (Entry::has_bands) name += "_" + std::to_string(bands);
+  if (order != all_orders) name += "_order_" + std::to_string(order);
+  return name;
+}
+
+/// An entry of the table (functions.hpp) with N bands, written down.
+template <class Entry, int N>
+RecordedFunction record(int order = all_orders) {
+  RecordedFunction result;
+  result.name = function_name<Entry>(N, order);
+  result.summary = Entry::summary;
+  result.recording = std::make_unique<Recording>();
+  FunctionIo<Recorder> io([&](const Parameter& parameter) { return result.recording->input(parameter.name); }, order);
+  Entry::template run<N>(io);
+  result.parameters = io.parameters();
+  result.outputs = io.outputs();
+  result.kept.assign(result.outputs.size(), true);
+  std::size_t output = 0;
+  for (const Parameter& parameter : result.parameters) {
+    if (parameter.direction == Direction::in) continue;
+    for (int i = 0; i < parameter.size(); ++i, ++output) {
+      // An inout that stays as it is needs no statement.
+      if (parameter.direction == Direction::inout) result.kept[output] = !result.is_input(result.outputs[output]);
+    }
+  }
+  return result;
+}
+
+}  // namespace zonal::glsl

@@ -1,0 +1,293 @@
+#include "driver.hpp"
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <GL/glcorearb.h>
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace {
+
+template <class F>
+void load(F& function, PFNEGLGETPROCADDRESSPROC get, const char* name) {
+  function = reinterpret_cast<F>(get(name));
+  if (function == nullptr) throw DriverError(std::string("the driver has no ") + name);
+}
+
+}  // namespace
+
+// Everything but libEGL itself comes by name from the driver: a program that finds none must still start.
+struct Driver::Functions {
+  void* library = nullptr;
+  EGLDisplay display = EGL_NO_DISPLAY;
+  EGLContext context = EGL_NO_CONTEXT;
+
+  PFNEGLGETPROCADDRESSPROC get = nullptr;
+  PFNEGLQUERYSTRINGPROC query_string = nullptr;
+  PFNEGLINITIALIZEPROC initialize = nullptr;
+  PFNEGLTERMINATEPROC terminate = nullptr;
+  PFNEGLBINDAPIPROC bind_api = nullptr;
+  PFNEGLCREATECONTEXTPROC create_context = nullptr;
+  PFNEGLDESTROYCONTEXTPROC destroy_context = nullptr;
+  PFNEGLMAKECURRENTPROC make_current = nullptr;
+
+  PFNGLGETSTRINGPROC GetString = nullptr;
+  PFNGLGETERRORPROC GetError = nullptr;
+  PFNGLCREATESHADERPROC CreateShader = nullptr;
+  PFNGLSHADERSOURCEPROC ShaderSource = nullptr;
+  PFNGLCOMPILESHADERPROC CompileShader = nullptr;
+  PFNGLGETSHADERIVPROC GetShaderiv = nullptr;
+  PFNGLGETSHADERINFOLOGPROC GetShaderInfoLog = nullptr;
+  PFNGLDELETESHADERPROC DeleteShader = nullptr;
+  PFNGLCREATEPROGRAMPROC CreateProgram = nullptr;
+  PFNGLATTACHSHADERPROC AttachShader = nullptr;
+  PFNGLLINKPROGRAMPROC LinkProgram = nullptr;
+  PFNGLGETPROGRAMIVPROC GetProgramiv = nullptr;
+  PFNGLGETPROGRAMINFOLOGPROC GetProgramInfoLog = nullptr;
+  PFNGLDELETEPROGRAMPROC DeleteProgram = nullptr;
+  PFNGLUSEPROGRAMPROC UseProgram = nullptr;
+  PFNGLGETUNIFORMLOCATIONPROC GetUniformLocation = nullptr;
+  PFNGLPROGRAMUNIFORM1FPROC ProgramUniform1f = nullptr;
+  PFNGLPROGRAMUNIFORM1UIPROC ProgramUniform1ui = nullptr;
+  PFNGLPROGRAMUNIFORM3FPROC ProgramUniform3f = nullptr;
+  PFNGLGENBUFFERSPROC GenBuffers = nullptr;
+  PFNGLDELETEBUFFERSPROC DeleteBuffers = nullptr;
+  PFNGLBINDBUFFERPROC BindBuffer = nullptr;
+  PFNGLBINDBUFFERBASEPROC BindBufferBase = nullptr;
+  PFNGLBUFFERDATAPROC BufferData = nullptr;
+  PFNGLGETBUFFERSUBDATAPROC GetBufferSubData = nullptr;
+  PFNGLDISPATCHCOMPUTEPROC DispatchCompute = nullptr;
+  PFNGLMEMORYBARRIERPROC MemoryBarrier = nullptr;
+  PFNGLGENQUERIESPROC GenQueries = nullptr;
+  PFNGLDELETEQUERIESPROC DeleteQueries = nullptr;
+  PFNGLBEGINQUERYPROC BeginQuery = nullptr;
+  PFNGLENDQUERYPROC EndQuery = nullptr;
+  PFNGLGETQUERYOBJECTUI64VPROC GetQueryObjectui64v = nullptr;
+
+  void load_egl() {
+    load(query_string, get, "eglQueryString");
+    load(initialize, get, "eglInitialize");
+    load(terminate, get, "eglTerminate");
+    load(bind_api, get, "eglBindAPI");
+    load(create_context, get, "eglCreateContext");
+    load(destroy_context, get, "eglDestroyContext");
+    load(make_current, get, "eglMakeCurrent");
+  }
+
+  void load_gl() {
+    load(GetString, get, "glGetString");
+    load(GetError, get, "glGetError");
+    load(CreateShader, get, "glCreateShader");
+    load(ShaderSource, get, "glShaderSource");
+    load(CompileShader, get, "glCompileShader");
+    load(GetShaderiv, get, "glGetShaderiv");
+    load(GetShaderInfoLog, get, "glGetShaderInfoLog");
+    load(DeleteShader, get, "glDeleteShader");
+    load(CreateProgram, get, "glCreateProgram");
+    load(AttachShader, get, "glAttachShader");
+    load(LinkProgram, get, "glLinkProgram");
+    load(GetProgramiv, get, "glGetProgramiv");
+    load(GetProgramInfoLog, get, "glGetProgramInfoLog");
+    load(DeleteProgram, get, "glDeleteProgram");
+    load(UseProgram, get, "glUseProgram");
+    load(GetUniformLocation, get, "glGetUniformLocation");
+    load(ProgramUniform1f, get, "glProgramUniform1f");
+    load(ProgramUniform1ui, get, "glProgramUniform1ui");
+    load(ProgramUniform3f, get, "glProgramUniform3f");
+    load(GenBuffers, get, "glGenBuffers");
+    load(DeleteBuffers, get, "glDeleteBuffers");
+    load(BindBuffer, get, "glBindBuffer");
+    load(BindBufferBase, get, "glBindBufferBase");
+    load(BufferData, get, "glBufferData");
+    load(GetBufferSubData, get, "glGetBufferSubData");
+    load(DispatchCompute, get, "glDispatchCompute");
+    load(MemoryBarrier, get, "glMemoryBarrier");
+    load(GenQueries, get, "glGenQueries");
+    load(DeleteQueries, get, "glDeleteQueries");
+    load(BeginQuery, get, "glBeginQuery");
+    load(EndQuery, get, "glEndQuery");
+    load(GetQueryObjectui64v, get, "glGetQueryObjectui64v");
+  }
+
+  /// The displays to try: each device, then the platform without any.
+  std::vector<EGLDisplay> displays() const {
+    std::vector<EGLDisplay> found;
+    const auto platform_display = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(get("eglGetPlatformDisplayEXT"));
+    const auto query_devices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(get("eglQueryDevicesEXT"));
+    if (platform_display == nullptr) return found;
+    std::array<EGLDeviceEXT, 16> devices{};
+    EGLint count = 0;
+    if (query_devices != nullptr && query_devices(static_cast<EGLint>(devices.size()), devices.data(), &count)) {
+      for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+        found.push_back(platform_display(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr));
+      }
+    }
+    found.push_back(platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
+    found.erase(std::remove(found.begin(), found.end(), EGL_NO_DISPLAY), found.end());
+    return found;
+  }
+
+  /// A core context of 4.6 down to 4.3 on this display, made current.
+  bool start(EGLDisplay candidate) {
+    if (!initialize(candidate, nullptr, nullptr)) return false;
+    const char* extensions = query_string(candidate, EGL_EXTENSIONS);
+    const bool is_surfaceless =
+        extensions && std::string(extensions).find("EGL_KHR_surfaceless_context") != std::string::npos;
+    if (is_surfaceless && bind_api(EGL_OPENGL_API)) {
+      for (const EGLint minor : {6, 5, 4, 3}) {
+        const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                     4,
+                                     EGL_CONTEXT_MINOR_VERSION,
+                                     minor,
+                                     EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                     EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                     EGL_NONE};
+        context = create_context(candidate, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
+        if (context == EGL_NO_CONTEXT) continue;
+        if (make_current(candidate, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
+          display = candidate;
+          return true;
+        }
+        destroy_context(candidate, context);
+      }
+    }
+    terminate(candidate);
+    return false;
+  }
+};
+
+Driver::Driver() : gl_(std::make_unique<Functions>()) {}
+
+Driver::~Driver() {
+  if (gl_->display == EGL_NO_DISPLAY) return;
+  gl_->make_current(gl_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  gl_->destroy_context(gl_->display, gl_->context);
+  gl_->terminate(gl_->display);
+  // The library stays: some drivers do not survive their own unloading.
+}
+
+std::unique_ptr<Driver> Driver::open(std::string& reason) {
+  std::unique_ptr<Driver> driver(new Driver);
+  reason = driver->start();
+  return reason.empty() ? std::move(driver) : nullptr;
+}
+
+std::string Driver::start() {
+  const std::string packages = " (Debian packages: libegl1 libgl1-mesa-dri)";
+  gl_->library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
+  if (gl_->library == nullptr) return "no libEGL.so.1" + packages;
+  gl_->get = reinterpret_cast<PFNEGLGETPROCADDRESSPROC>(dlsym(gl_->library, "eglGetProcAddress"));
+  if (gl_->get == nullptr) return "libEGL.so.1 has no eglGetProcAddress";
+  try {
+    gl_->load_egl();
+    for (const EGLDisplay display : gl_->displays()) {
+      if (!gl_->start(display)) continue;
+      gl_->load_gl();
+      renderer_ = reinterpret_cast<const char*>(gl_->GetString(GL_RENDERER));
+      return "";
+    }
+  } catch (const DriverError& error) {
+    return error.what();
+  }
+  return "no EGL display gives a context of OpenGL 4.3 or later without a window" + packages;
+}
+
+bool Driver::is_software() const {
+  return renderer_.find("llvmpipe") != std::string::npos || renderer_.find("softpipe") != std::string::npos ||
+         renderer_.find("SwiftShader") != std::string::npos;
+}
+
+unsigned Driver::compile_stage(unsigned stage, const std::string& source) {
+  const GLuint shader = gl_->CreateShader(stage);
+  const char* text = source.c_str();
+  gl_->ShaderSource(shader, 1, &text, nullptr);
+  gl_->CompileShader(shader);
+  GLint done = 0;
+  gl_->GetShaderiv(shader, GL_COMPILE_STATUS, &done);
+  if (done) return shader;
+  std::vector<char> log(10000);
+  gl_->GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
+  throw DriverError(std::string("does not compile:\n") + log.data());
+}
+
+unsigned Driver::link(const std::vector<unsigned>& stages) {
+  const GLuint program = gl_->CreateProgram();
+  for (const unsigned stage : stages) gl_->AttachShader(program, stage);
+  gl_->LinkProgram(program);
+  for (const unsigned stage : stages) gl_->DeleteShader(stage);
+  GLint done = 0;
+  gl_->GetProgramiv(program, GL_LINK_STATUS, &done);
+  if (done) return program;
+  std::vector<char> log(10000);
+  gl_->GetProgramInfoLog(program, static_cast<GLsizei>(log.size()), nullptr, log.data());
+  throw DriverError(std::string("does not link:\n") + log.data());
+}
+
+unsigned Driver::compile(const std::string& compute_shader) {
+  return link({compile_stage(GL_COMPUTE_SHADER, compute_shader)});
+}
+
+unsigned Driver::compile(const std::string& vertex_shader, const std::string& fragment_shader) {
+  return link({compile_stage(GL_VERTEX_SHADER, vertex_shader), compile_stage(GL_FRAGMENT_SHADER, fragment_shader)});
+}
+
+unsigned Driver::make_buffer(const std::vector<float>& values) {
+  GLuint buffer = 0;
+  gl_->GenBuffers(1, &buffer);
+  gl_->BindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
+  gl_->BufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof(float)), values.data(),
+                  GL_DYNAMIC_COPY);
+  check("making a buffer");
+  return buffer;
+}
+
+std::vector<float> Driver::read_buffer(unsigned buffer, std::size_t count) {
+  std::vector<float> values(count);
+  gl_->BindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
+  gl_->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(count * sizeof(float)), values.data());
+  check("reading a buffer");
+  return values;
+}
+
+void Driver::delete_program(unsigned program) { gl_->DeleteProgram(program); }
+void Driver::delete_buffer(unsigned buffer) { gl_->DeleteBuffers(1, &buffer); }
+
+void Driver::set_uniform(unsigned program, const char* name, float value) {
+  gl_->ProgramUniform1f(program, gl_->GetUniformLocation(program, name), value);
+  check(name);
+}
+void Driver::set_uniform(unsigned program, const char* name, unsigned value) {
+  gl_->ProgramUniform1ui(program, gl_->GetUniformLocation(program, name), value);
+  check(name);
+}
+void Driver::set_uniform(unsigned program, const char* name, float x, float y, float z) {
+  gl_->ProgramUniform3f(program, gl_->GetUniformLocation(program, name), x, y, z);
+  check(name);
+}
+
+double Driver::run(unsigned program, const std::vector<unsigned>& buffers, unsigned groups_x, unsigned groups_y,
+                   unsigned groups_z) {
+  for (std::size_t i = 0; i < buffers.size(); ++i) {
+    gl_->BindBufferBase(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(i), buffers[i]);
+  }
+  gl_->UseProgram(program);
+  GLuint query = 0;
+  gl_->GenQueries(1, &query);
+  gl_->BeginQuery(GL_TIME_ELAPSED, query);
+  gl_->DispatchCompute(groups_x, groups_y, groups_z);
+  gl_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+  gl_->EndQuery(GL_TIME_ELAPSED);
+  GLuint64 nanoseconds = 0;
+  gl_->GetQueryObjectui64v(query, GL_QUERY_RESULT, &nanoseconds);
+  gl_->DeleteQueries(1, &query);
+  check("running a compute shader");
+  return static_cast<double>(nanoseconds) * 1e-6;
+}
+
+void Driver::check(const char* what) {
+  const GLenum error = gl_->GetError();
+  if (error != GL_NO_ERROR) throw DriverError(std::string(what) + ": OpenGL error " + std::to_string(error));
+}

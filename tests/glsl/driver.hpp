@@ -1,0 +1,59 @@
+// An OpenGL driver without a window: compute shaders on buffers of floats.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+/// What a driver says of a shader or a call that it does not take.
+struct DriverError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+class Driver {
+ public:
+  /// Hardware first, then software. Null where there is none, and `reason` then says why.
+  static std::unique_ptr<Driver> open(std::string& reason);
+  ~Driver();
+  Driver(const Driver&) = delete;
+  Driver& operator=(const Driver&) = delete;
+
+  /// The driver's name of itself.
+  const std::string& renderer() const { return renderer_; }
+  /// Whether it computes on the CPU: then to the bit as C++ does.
+  bool is_software() const;
+
+  /// Handles of OpenGL; they live as long as the driver.
+  unsigned compile(const std::string& compute_shader);
+  unsigned compile(const std::string& vertex_shader, const std::string& fragment_shader);
+  unsigned make_buffer(const std::vector<float>& values);
+  std::vector<float> read_buffer(unsigned buffer, std::size_t count);
+  void delete_program(unsigned program);
+  void delete_buffer(unsigned buffer);
+
+  void set_uniform(unsigned program, const char* name, float value);
+  void set_uniform(unsigned program, const char* name, unsigned value);
+  void set_uniform(unsigned program, const char* name, float x, float y, float z);
+
+  /// Runs groups_x * groups_y * groups_z groups with the buffers bound to 0, 1, ..., and waits. The time it takes, in
+  /// milliseconds, by the driver's own timer.
+  double run(unsigned program, const std::vector<unsigned>& buffers, unsigned groups_x, unsigned groups_y = 1,
+             unsigned groups_z = 1);
+
+ private:
+  struct Functions;
+  Driver();
+  std::string start();  // the reason why not, or empty
+  unsigned compile_stage(unsigned stage, const std::string& source);
+  unsigned link(const std::vector<unsigned>& stages);
+  void check(const char* what);
+
+  std::unique_ptr<Functions> gl_;
+  std::string renderer_;
+};
+
+/// The driver of this process, opened once. Where there is none the test is skipped with the reason; where the
+/// environment says CI=true it fails.
+Driver* driver_or_skip();

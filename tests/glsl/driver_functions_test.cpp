@@ -1,0 +1,106 @@
+// Every function at every number of bands on the driver, against C++: to the bit where the driver computes on the CPU.
+#include <zonal/glsl/file_text.hpp>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "../catch.hpp"
+#include "caller.hpp"
+#include "compare.hpp"
+#include "cpp_functions.hpp"
+#include "driver.hpp"
+#include "inputs.hpp"
+#include "shader_functions.hpp"
+
+namespace {
+
+using zonal::glsl::FunctionEntry;
+using zonal::glsl::RecordedFunction;
+
+constexpr unsigned group_size = 64, groups = 32;
+constexpr std::size_t samples = group_size * groups;
+
+/// A compute shader that calls the function once per invocation.
+std::string shader(const RecordedFunction& function, const zonal::glsl::TextOptions& options) {
+  const zonal::glsl::Dialect& glsl = *zonal::glsl::find_dialect("glsl450");
+  return "#version 450\nlayout(local_size_x = " + std::to_string(group_size) +
+         ") in;\n"
+         "layout(std430, binding = 0) readonly buffer Numbers { float numbers[]; };\n"
+         "layout(std430, binding = 1) writeonly buffer Results { float results[]; };\n" +
+         std::string(glsl.prologue) + function_text(function, glsl, options) + caller_text(function, "uint") +
+         "void main() {\n  uint i = gl_GlobalInvocationID.x;\n  call_" + function.name + "(i * " +
+         std::to_string(input_count(function)) + "u, i * " + std::to_string(output_count(function)) + "u);\n}\n";
+}
+
+std::vector<float> run_on_driver(Driver& driver, const RecordedFunction& function, const std::vector<float>& numbers,
+                                 const zonal::glsl::TextOptions& options) {
+  const unsigned program = driver.compile(shader(function, options));
+  const auto count = samples * static_cast<std::size_t>(output_count(function));
+  const unsigned in = driver.make_buffer(numbers.empty() ? std::vector<float>(1) : numbers);
+  const unsigned out = driver.make_buffer(std::vector<float>(count, std::numeric_limits<float>::quiet_NaN()));
+  driver.run(program, {in, out}, groups);
+  const std::vector<float> results = driver.read_buffer(out, count);
+  driver.delete_buffer(in);
+  driver.delete_buffer(out);
+  driver.delete_program(program);
+  return results;
+}
+
+void check(Driver& driver, const FunctionEntry& entry, int bands, int order, const zonal::glsl::TextOptions& options) {
+  const RecordedFunction function = entry.record(bands, order);
+  InputSampler sampler(7, bands);
+  std::vector<std::vector<float>> inputs;
+  std::vector<float> numbers;
+  for (std::size_t i = 0; i < samples; ++i) {
+    inputs.push_back(sampler.draw(function.parameters));
+    numbers.insert(numbers.end(), inputs.back().begin(), inputs.back().end());
+  }
+  INFO(function.name);
+  const std::vector<float> results = run_on_driver(driver, function, numbers, options);
+  const auto count = static_cast<std::size_t>(output_count(function));
+  for (std::size_t i = 0; i < samples; ++i) {
+    std::vector<float> expected = run_in_cpp(entry.name, bands, order, inputs[i]);
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < expected.size(); ++k) {
+      if (function.kept[k]) expected[kept++] = expected[k];
+    }
+    expected.resize(kept);
+    const std::vector<float> given(results.begin() + static_cast<std::ptrdiff_t>(i * count),
+                                   results.begin() + static_cast<std::ptrdiff_t>((i + 1) * count));
+    require_equal(given, expected, driver.is_software(), [&] { return inputs[i]; });
+  }
+}
+
+/// Every function whose name the test case selects, at the numbers of bands of Catch's loop.
+template <class Select>
+void check_all(Select select, const zonal::glsl::TextOptions& options = {}) {
+  Driver* driver = driver_or_skip();
+  if (driver == nullptr) return;
+  for (const FunctionEntry& entry : zonal_glsl::shader_functions()) {
+    for (int bands = 1; bands <= (entry.has_bands ? zonal::glsl::max_bands : 1); ++bands)
+      select(*driver, entry, bands, options);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("Every function, at 1 to 10 bands, is on the driver what it is in C++") {
+  check_all([](Driver& driver, const FunctionEntry& entry, int bands, const auto& options) {
+    check(driver, entry, bands, zonal::glsl::all_orders, options);
+  });
+}
+
+TEST_CASE("Every pair of orders, at 1 to 10 bands, is on the driver what it is in C++") {
+  check_all([](Driver& driver, const FunctionEntry& entry, int bands, const auto& options) {
+    for (int m = 0; m < entry.order_count(bands); ++m) check(driver, entry, bands, m, options);
+  });
+}
+
+TEST_CASE("With a temporary for every operation the driver computes the same") {
+  check_all(
+      [](Driver& driver, const FunctionEntry& entry, int bands, const auto& options) {
+        if (bands == 5 || !entry.has_bands) check(driver, entry, bands, zonal::glsl::all_orders, options);
+      },
+      {false});
+}

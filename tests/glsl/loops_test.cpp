@@ -1,0 +1,155 @@
+// A whole gather and a whole grid on the driver, by the compute shaders of docs/examples, against the same loops over
+// the same kernels in C++.
+#include <zonal/grid/add_lights.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <random>
+
+#include "../catch.hpp"
+#include "compare.hpp"
+#include "cpp_functions.hpp"
+#include "driver.hpp"
+#include "example.hpp"
+#include "scenes.hpp"
+#include "shader_functions.hpp"
+
+namespace {
+
+using zonal::glsl::all_orders;
+
+/// The orders that a shell sums apart: all at once, or one after the other.
+std::vector<int> orders_of(const std::string& shell, const char* function, int bands) {
+  if (shell.find("reversed") == std::string::npos) return {all_orders};
+  std::vector<int> orders;
+  for (int m = 0; m < zonal_glsl::find_function(function)->order_count(bands); ++m) orders.push_back(m);
+  return orders;
+}
+
+template <class Range>
+void append(std::vector<float>& to, const Range& range) {
+  to.insert(to.end(), std::begin(range), std::end(range));
+}
+std::vector<float> slice(const std::vector<float>& from, std::size_t first, std::size_t count) {
+  return {from.begin() + static_cast<std::ptrdiff_t>(first), from.begin() + static_cast<std::ptrdiff_t>(first + count)};
+}
+
+/// What the shell's loop over lights gives at receiver number i.
+std::vector<float> gather_in_cpp(const GatherScene& scene, const std::string& shell, int bands, std::size_t i) {
+  const std::size_t row = 3 * static_cast<std::size_t>(zonal::even_index(bands, 0));
+  float sum[3] = {0, 0, 0};
+  for (const int order : orders_of(shell, "hvl_radiance", bands)) {
+    for (std::size_t light = 0; light < scene.light_count; ++light) {
+      const std::size_t at = light * GatherScene::light_size;
+      std::vector<float> inputs = slice(scene.lights, at, 10);
+      constexpr std::size_t emission = (GatherScene::light_size - 10) / 3;
+      for (std::size_t k = 0; k < emission; ++k) {
+        for (std::size_t c = 0; c < 3; ++c) inputs.push_back(scene.lights[at + 10 + c * emission + k]);
+      }
+      append(inputs, slice(scene.receivers, 9 * i, 9));
+      append(inputs, slice(scene.materials, row * i, row));
+      const std::vector<float> radiance = run_in_cpp("hvl_radiance", bands, order, inputs);
+      for (std::size_t c = 0; c < 3; ++c) sum[c] = sum[c] + radiance[c];
+    }
+  }
+  return {std::max(sum[0], 0.0F), std::max(sum[1], 0.0F), std::max(sum[2], 0.0F)};
+}
+
+void check_gather(Driver& driver, const std::string& shell, int bands) {
+  CAPTURE(shell, bands);
+  const GatherScene scene(bands, 20, 100);
+  const std::vector<float> image = run_gather(driver, scene, gather_example(bands, shell)).values;
+  for (std::size_t i = 0; i < scene.receiver_count; ++i) {
+    require_equal(slice(image, 3 * i, 3), gather_in_cpp(scene, shell, bands, i), driver.is_software(),
+                  [&] { return slice(scene.receivers, 9 * i, 9); });
+  }
+}
+
+/// Value and gradient at a vertex, in one colour channel: N*N numbers, and N*N triples.
+std::vector<float> vertex_in_cpp(const GridScene& scene, const std::string& shell, int bands, const glm::vec3& vertex,
+                                 std::size_t channel) {
+  const auto size = [](int count) { return static_cast<std::size_t>(count); };
+  const std::size_t value = size(bands * bands), up = size((bands + 1) * (bands + 1));
+  const std::size_t down = size(std::max((bands - 1) * (bands - 1), 1));
+  std::vector<float> sums(value + up + down);
+  for (const int order : orders_of(shell, "add_sphere", bands)) {
+    for (std::size_t light = 0; light < scene.light_count; ++light) {
+      const std::size_t at = light * GridScene::light_size;
+      std::vector<float> inputs = slice(scene.lights, at, 4);
+      inputs.push_back(scene.lights[at + 4 + channel]);
+      append(inputs, std::vector<float>{vertex.x, vertex.y, vertex.z});
+      append(inputs, sums);
+      sums = run_in_cpp("add_sphere", bands, order, inputs);
+    }
+  }
+  std::vector<float> result = slice(sums, 0, value);
+  append(result, run_in_cpp("finish_sums", bands, all_orders, slice(sums, value, up + down)));
+  return result;
+}
+
+void check_grid(Driver& driver, const std::string& shell, int bands) {
+  CAPTURE(shell, bands);
+  const GridScene scene(10, {3, 4, 2});
+  const std::vector<float> grid = run_grid(driver, scene, bands, grid_example(bands, shell)).values;
+  const auto count = static_cast<std::size_t>(bands * bands);
+  for (std::size_t vertex = 0; vertex < scene.vertex_count(); ++vertex) {
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      std::vector<float> given(4 * count);
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto block = [&](std::size_t b) { return grid[(vertex * 4 + b) * 3 * count + 3 * i + channel]; };
+        given[i] = block(0);
+        for (std::size_t axis = 0; axis < 3; ++axis) given[count + 3 * i + axis] = block(axis + 1);
+      }
+      require_equal(given, vertex_in_cpp(scene, shell, bands, scene.position(vertex), channel), driver.is_software(),
+                    [&] {
+                      return std::vector<std::size_t>{vertex, channel};
+                    });
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("A gather of virtual lights on the driver is that of C++") {
+  Driver* driver = driver_or_skip();
+  if (driver == nullptr) return;
+  for (const int bands : {1, 3, 5, 9}) {
+    for (const char* shell : {"gather", "gather_reversed"}) check_gather(*driver, shell, bands);
+  }
+}
+
+TEST_CASE("A grid filled on the driver is that of C++") {
+  Driver* driver = driver_or_skip();
+  if (driver == nullptr) return;
+  for (const int bands : {1, 2, 5}) {
+    for (const char* shell : {"sum_lights", "sum_lights_reversed"}) check_grid(*driver, shell, bands);
+  }
+}
+
+TEST_CASE("A grid filled on the driver is that of add_lights, to rounding") {
+  Driver* driver = driver_or_skip();
+  if (driver == nullptr) return;
+  constexpr int N = 4;
+  const GridScene scene(10, {3, 4, 2});
+  zonal::CoefficientGrid<N> grid(scene.low, scene.high, scene.resolution);
+  std::vector<zonal::ColouredLight<zonal::SphereLight<float>>> lights;
+  for (std::size_t i = 0; i < scene.light_count; ++i) {
+    const float* f = &scene.lights[i * GridScene::light_size];
+    lights.push_back({{{f[0], f[1], f[2]}, f[3]}, {f[4], f[5], f[6]}});
+  }
+  zonal::add_lights(grid, lights, [](int count, const auto& body) {
+    for (int i = 0; i < count; ++i) body(i);
+  });
+  const std::vector<float> given = run_grid(*driver, scene, N, grid_example(N, "sum_lights_reversed")).values;
+  const std::vector<float> expected(grid.data(), grid.data() + grid.size());
+  require_equal(given, expected, false, [] { return N; });
+}
+
+TEST_CASE("A gather of 10 bands compiles in less than 10 s") {
+  Driver* driver = driver_or_skip();
+  if (driver == nullptr) return;
+  const auto start = std::chrono::steady_clock::now();
+  run_gather(*driver, GatherScene(10, 1, 1), gather_example(10, "gather"));
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  CHECK(seconds < 10);
+}

@@ -1,0 +1,33 @@
+// One list of functions, for run_in_cpp.
+#pragma once
+
+#include <zonal/glsl/function_table.hpp>
+
+#include "cpp_functions.hpp"
+
+template <class Entry, int N>
+std::vector<float> run_entry(int order, const std::vector<float>& inputs) {
+  std::size_t next = 0;
+  zonal::glsl::FunctionIo<float> io([&](const zonal::glsl::Parameter&) { return inputs.at(next++); }, order);
+  Entry::template run<N>(io);
+  return io.outputs();
+}
+
+/// Whether the list has the function; if so, with its outputs.
+template <class List>
+bool run_from_list(std::string_view function, int bands, int order, const std::vector<float>& inputs,
+                   std::vector<float>& outputs) {
+  bool found = false;
+  zonal::glsl::for_each_function(List{}, [&](auto entry) {
+    using Entry = decltype(entry);
+    if (Entry::name != function) return;
+    found = true;
+    if constexpr (!Entry::has_bands) {
+      outputs = run_entry<Entry, 1>(order, inputs);
+    } else {
+      zonal::dispatch_bands<1, zonal::glsl::max_bands>(bands,
+                                                       [&](auto n) { outputs = run_entry<Entry, n>(order, inputs); });
+    }
+  });
+  return found;
+}

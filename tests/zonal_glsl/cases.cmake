@@ -1,0 +1,47 @@
+# zonal-glsl as a user meets it: what it says of bad arguments, and what files it leaves.
+set(cases_dir ${CMAKE_CURRENT_LIST_DIR})
+set(run_case ${PROJECT_SOURCE_DIR}/tests/hvl_render/run_case.sh)
+set(work_dir ${CMAKE_CURRENT_BINARY_DIR}/cases)
+file(MAKE_DIRECTORY ${work_dir}/inputs/folder.glsl)
+
+# zonal_glsl_case(<name> <exit status> <new files> <pattern of standard error> <argument>...)
+function(zonal_glsl_case name status new_files pattern)
+  string(MAKE_C_IDENTIFIER "${name}" folder)
+  add_test(NAME "zonal-glsl: ${name}" COMMAND
+    ${run_case} ${work_dir}/inputs ${work_dir}/${folder} ${status} "${new_files}" "${pattern}"
+    $<TARGET_FILE:zonal-glsl> ${ARGN})
+  set_tests_properties("zonal-glsl: ${name}" PROPERTIES TIMEOUT 60)
+endfunction()
+# refused(<name> <pattern> <argument>...): exit status 2, one line, no file.
+function(zonal_glsl_refused name pattern)
+  zonal_glsl_case("${name}" 2 "" "zonal-glsl: ${pattern}" ${ARGN})
+endfunction()
+
+zonal_glsl_refused("no function" "--functions names none .*" -o x.glsl)
+zonal_glsl_refused("unknown function" "'magic' is no function .*" --functions evaluate,magic -o x.glsl)
+zonal_glsl_refused("unknown selection" "'evaluate:odd' selects neither .*" --functions evaluate:odd -o x.glsl)
+zonal_glsl_refused("degree out of range" "'evaluate:degree5' selects neither .*" --functions evaluate:degree5 -o x.glsl)
+zonal_glsl_refused("nothing to select from" "'cap:even' has no outputs .*" --functions cap:even -o x.glsl)
+zonal_glsl_refused("unknown dialect" "--dialect: 'basic' is not one of glsl450, .*" --functions cap --dialect basic -o x)
+foreach(bands 0 11 -1 5.5 many)
+  zonal_glsl_refused("bands ${bands}" "--bands: '${bands}' is not in 1...10" --functions cap --bands=${bands} -o x.glsl)
+endforeach()
+zonal_glsl_refused("a loop in HLSL" "'gather' is a loop, .*" --functions gather --dialect hlsl -o x.hlsl)
+zonal_glsl_refused("output in no folder" "nowhere/x.glsl: cannot be written .*" --functions cap -o nowhere/x.glsl)
+zonal_glsl_refused("output on a folder" "folder.glsl: cannot be written .*" --functions cap -o folder.glsl)
+zonal_glsl_refused("unknown option" "The following argument was not expected: --foo" --foo)
+zonal_glsl_case("list" 0 "" "" --list)
+zonal_glsl_case("count" 0 "" "" --count --functions evaluate,evaluate:even,evaluate:degree2,reconstruct_lambert)
+zonal_glsl_case("one file" 0 "x.glsl" "" --functions evaluate,cap,gather -o x.glsl)
+
+# Fewer outputs, fewer operations; and no more of them than the published schemes take.
+add_test(NAME "zonal-glsl: operation counts" COMMAND ${cases_dir}/operation_counts.sh $<TARGET_FILE:zonal-glsl>)
+# The same text every time; and every function at every number of bands in less than a second.
+add_test(NAME "zonal-glsl: same text, in time" COMMAND ${cases_dir}/same_text.sh $<TARGET_FILE:zonal-glsl>)
+
+# Every function in every dialect, by a compiler of that dialect.
+foreach(dialect glsl450 glsles300 hlsl wgsl cpp)
+  add_test(NAME "zonal-glsl: ${dialect} compiles" COMMAND
+    ${cases_dir}/compile_dialect.sh $<TARGET_FILE:zonal-glsl> ${dialect} ${CMAKE_CXX_COMPILER} ${work_dir}/${dialect})
+  set_tests_properties("zonal-glsl: ${dialect} compiles" PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300)
+endforeach()

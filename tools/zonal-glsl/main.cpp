@@ -1,0 +1,120 @@
+// zonal-glsl: writes the library's kernels as shader functions.
+#include <cerrno>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <system_error>
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <zonal/glsl/file_text.hpp>
+#include <zonal/glsl/function_table.hpp>
+
+#include "request.hpp"
+
+namespace zonal_glsl {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int exit_bad_request = 2;
+
+struct Options {
+  Request request;
+  std::string bands = "5";
+  std::string dialect = "glsl450";
+  std::string output;
+  bool list = false, count = false, temporaries = false;
+};
+
+std::string dialect_names() {
+  std::string names;
+  for (const auto& dialect : zonal::glsl::dialects) names += (names.empty() ? "" : ", ") + std::string(dialect.name);
+  return names;
+}
+
+void add_options(CLI::App& app, Options& options) {
+  app.set_version_flag("--version", "zonal-glsl " + zonal::glsl::version_text());
+  app.add_option("--functions", options.request.functions,
+                 "What to write, by name; of evaluate and its like also a part: "
+                 "evaluate:even, evaluate:degree2")
+      ->delimiter(',');
+  app.add_option("--bands", options.bands, "Bands, 1 to 10")->capture_default_str();
+  app.add_option("--dialect", options.dialect, "One of " + dialect_names())->capture_default_str();
+  app.add_option("-o,--output", options.output, "The file to write; standard output if none");
+  app.add_flag("--temporaries", options.temporaries, "A temporary for every operation");
+  app.add_flag("--count", options.count, "Print the operations of each function instead");
+  app.add_flag("--list", options.list, "Print the names of all functions");
+}
+
+int parse_bands(const std::string& text) {
+  for (int bands = 1; bands <= zonal::glsl::max_bands; ++bands) {
+    if (text == std::to_string(bands)) return bands;
+  }
+  throw RequestError("--bands: '" + text + "' is not in 1...10");
+}
+
+/// The file appears whole or not at all.
+void write_file(const fs::path& path, const std::string& text) {
+  const fs::path temporary = path.string() + ".tmp" + std::to_string(getpid());
+  const auto fail = [&](int error) {
+    std::error_code ignored;
+    fs::remove(temporary, ignored);
+    throw RequestError(path.string() + ": cannot be written (" +
+                       std::generic_category().message(error != 0 ? error : EIO) + ")");
+  };
+  if (fs::is_directory(path)) fail(EISDIR);
+  errno = 0;
+  std::ofstream file(temporary, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) fail(errno);
+  std::error_code error;
+  fs::rename(temporary, path, error);
+  if (error) fail(error.value());
+}
+
+void run(Options& options) {
+  if (options.list) {
+    std::fputs(function_list().c_str(), stdout);
+    return;
+  }
+  const zonal::glsl::Dialect* dialect = zonal::glsl::find_dialect(options.dialect);
+  if (dialect == nullptr) throw RequestError("--dialect: '" + options.dialect + "' is not one of " + dialect_names());
+  if (options.request.functions.empty()) throw RequestError("--functions names none (--list names them all)");
+  options.request.bands = parse_bands(options.bands);
+  options.request.text.compound = !options.temporaries;
+  const std::string text =
+      options.count ? operation_table(options.request, *dialect) : shader_file(options.request, *dialect);
+  if (options.output.empty()) {
+    std::fputs(text.c_str(), stdout);
+  } else {
+    write_file(options.output, text);
+  }
+}
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+int run_main(int argc, char** argv) {
+  Options options;
+  CLI::App app("Writes the kernels of zonal as shader functions.", "zonal-glsl");
+  add_options(app, options);
+  try {
+    app.parse(argc, argv);
+    run(options);
+    return 0;
+  } catch (const CLI::Success& success) {
+    return app.exit(success);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "zonal-glsl: %s\n", first_line(error.what()).c_str());
+    return exit_bad_request;
+  }
+}
+
+}  // namespace
+}  // namespace zonal_glsl
+
+int main(int argc, char** argv) { return zonal_glsl::run_main(argc, argv); }

@@ -175,6 +175,15 @@ class WordReader {
   FileWords words_;
 };
 
+/// Does the file begin as one of the format does? Its version, and whether it is whole, are not looked at.
+inline bool has_mark(const std::filesystem::path& path, const FileFormat& format) {
+  InputFile file(path);
+  unsigned char mark[8];
+  if (file.size() < sizeof mark) return false;
+  file.read(mark, sizeof mark);
+  return std::memcmp(mark, format.mark, sizeof mark) == 0;
+}
+
 // A file that stands in its place whole, or not at all.
 class WordWriter {
  public:

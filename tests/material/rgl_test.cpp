@@ -61,8 +61,7 @@ TEST_CASE("rgl: an isotropic file's material is the BRDF it was written from, wi
         CHECK(brdf.description() == "microfacets");
         const double error = interpolation_error(brdf, f, 60.0, 31);
         CAPTURE(alpha, jacobian, phi_nodes, error);
-        WARN("iso " << alpha << " " << jacobian << " " << phi_nodes << " " << error);
-        CHECK(error <= 2e-2);
+        CHECK(error <= (alpha == 0.2 ? 1e-2 : 2e-2));
       }
     }
   }
@@ -87,8 +86,8 @@ TEST_CASE("rgl: at an outgoing direction of the file, the error falls with the s
     errors[level] = worst / largest(f(direction(pi / 6.0, pi), direction(pi / 6.0, 0.0)));
   }
   CAPTURE(errors[0], errors[1]);
-  WARN("order " << errors[0] << " " << errors[1]);
-  CHECK(errors[1] < 0.4 * errors[0]);
+  CHECK(errors[1] < 1e-3);
+  CHECK(errors[1] < 0.35 * errors[0]);
 }
 
 TEST_CASE("rgl: anisotropic files of the whole turn, its half and its quarter") {
@@ -104,8 +103,7 @@ TEST_CASE("rgl: anisotropic files of the whole turn, its half and its quarter") 
     CHECK(brdf.symmetry() == symmetry);
     const double error = interpolation_error(brdf, f, 60.0, 33);
     CAPTURE(symmetry, error);
-    WARN("aniso " << symmetry << " " << error);
-    CHECK(error <= 3e-2);
+    CHECK(error <= 2e-2);
   }
 }
 
@@ -142,8 +140,7 @@ TEST_CASE("rgl: its projection is that of the BRDF it was written from") {
     const double error =
         largest_difference(read.with_cosine, exact.with_cosine) / largest_coefficient(exact.with_cosine);
     CAPTURE(degrees, read.theta_nodes, read.error, error);
-    WARN("projection " << degrees << " " << error << " " << read.theta_nodes << " " << read.error);
-    CHECK(error <= 1e-2);
+    CHECK(error <= 2e-3);
   }
 }
 
@@ -256,9 +253,8 @@ TEST_CASE("rgl: thousands of mutated files are errors, or materials that can be 
     }
   }
   CAPTURE(errors, materials);
-  WARN("mutations " << errors << " " << materials);
   CHECK(errors > 3000);
-  CHECK(materials > 100);
+  CHECK(materials > 300);
 }
 
 TEST_CASE("rgl: real files, of the folder ZONAL_DATA/rgl where there is one") {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "../files.hpp"
@@ -71,62 +71,47 @@ struct RglGrid {
 inline double square_theta(double u) { return 0.5 * pi * u * u; }
 inline double square_phi(double u) { return (2.0 * u - 1.0) * pi; }
 
-/// A density on the unit square, bilinear between samples (rows over y), and where a uniform place comes from: found
-/// by bisection of its plain integrals.
+/// Where, in [0, 1], the integral of the function linear between v(0), ..., v(count - 1) reaches `part` of the whole:
+/// cell by cell, then by bisection.
+template <class V>
+double place_of(const V& v, int count, double part) {
+  const auto integral = [&](int i, double t) { return t * (v(i) + 0.5 * t * (v(i + 1) - v(i))); };
+  double left = 0.0;
+  for (int i = 0; i + 1 < count; ++i) left += part * integral(i, 1.0);
+  int cell = 0;
+  for (; cell + 2 < count && left > integral(cell, 1.0); ++cell) left -= integral(cell, 1.0);
+  double low = 0.0, high = 1.0;
+  for (int i = 0; i < 45; ++i) {
+    const double middle = 0.5 * (low + high);
+    (integral(cell, middle) < left ? low : high) = middle;
+  }
+  return (cell + low) / (count - 1);
+}
+
+/// A density on the unit square, bilinear between size * size samples (rows over y), and where a uniform place of it
+/// comes from.
 class Density {
  public:
-  Density(int size, std::vector<double> values) : n_(size), values_(std::move(values)) {}
+  Density(int size, std::vector<double> values) : n_(size), values_(std::move(values)) {
+    for (int row = 0; row < n_; ++row) {
+      double sum = 0.0;
+      for (int i = 0; i + 1 < n_; ++i) sum += 0.5 * (at(row, i) + at(row, i + 1));
+      row_masses_.push_back(sum);
+    }
+  }
 
   glm::dvec2 at_mass(double mass_x, double mass_y) const {
-    const double y = bisect([&](double t) { return rows_below(t); }, mass_y * rows_below(1.0));
-    return {bisect([&](double t) { return row_below(t, y); }, mass_x * row_below(1.0, y)), y};
+    const double y = place_of([&](int row) { return row_masses_[std::size_t(row)]; }, n_, mass_y);
+    const int row = std::min(int(y * (n_ - 1)), n_ - 2);
+    const double t = y * (n_ - 1) - row;
+    return {place_of([&](int i) { return (1.0 - t) * at(row, i) + t * at(row + 1, i); }, n_, mass_x), y};
   }
 
  private:
-  template <class F>
-  static double bisect(const F& increasing, double value) {
-    double low = 0.0, high = 1.0;
-    for (int i = 0; i < 45; ++i) {
-      const double middle = 0.5 * (low + high);
-      (increasing(middle) < value ? low : high) = middle;
-    }
-    return 0.5 * (low + high);
-  }
-  /// The integral, from 0 to x, of the function linear between v(0), v(1), ...; in cells.
-  template <class V>
-  double integral(const V& v, double x) const {
-    double sum = 0.0;
-    for (int i = 0; i + 1 < n_; ++i) {
-      const double t = std::fmin(std::fmax(x * (n_ - 1) - i, 0.0), 1.0);
-      sum += t * (v(i) + 0.5 * t * (v(i + 1) - v(i)));
-    }
-    return sum;
-  }
-  double row_below(double x, double y) const {
-    const int row = std::min(int(y * (n_ - 1)), n_ - 2);
-    const double t = y * (n_ - 1) - row;
-    return integral(
-        [&](int i) {
-          return (1.0 - t) * values_[std::size_t(row * n_ + i)] + t * values_[std::size_t((row + 1) * n_ + i)];
-        },
-        x);
-  }
-  double rows_below(double y) const {
-    if (row_masses_.empty()) {
-      for (int row = 0; row < n_; ++row) {
-        double sum = 0.0;
-        for (int i = 0; i + 1 < n_; ++i) {
-          sum += 0.5 * (values_[std::size_t(row * n_ + i)] + values_[std::size_t(row * n_ + i + 1)]);
-        }
-        row_masses_.push_back(sum);
-      }
-    }
-    return integral([&](int row) { return row_masses_[std::size_t(row)]; }, y);
-  }
+  double at(int row, int column) const { return values_[std::size_t(row * n_ + column)]; }
 
   int n_;
-  std::vector<double> values_;
-  mutable std::vector<double> row_masses_;
+  std::vector<double> values_, row_masses_;
 };
 
 /// The fields of the material's file. Where the reflected direction is below the horizon the value is zero.

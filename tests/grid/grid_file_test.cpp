@@ -1,36 +1,22 @@
 // Grids as files: what is written comes back, and nothing else is taken for a grid.
 #include <zonal/grid/grid_file.hpp>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <random>
 #include <string>
 
 #include "../catch.hpp"
+#include "../files.hpp"
+
+namespace fs = std::filesystem;
+using namespace file_test;
 
 namespace {
 
-namespace fs = std::filesystem;
 constexpr int N = 3;
-
-/// A folder that goes away with the test.
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("zonal_grid_file." + std::to_string(getpid()));
-  Folder() {
-    fs::remove_all(path);
-    fs::create_directories(path);
-  }
-  ~Folder() { fs::remove_all(path); }
-  std::size_t files() const {
-    return static_cast<std::size_t>(std::distance(fs::directory_iterator(path), fs::directory_iterator()));
-  }
-};
 
 zonal::CoefficientGrid<N> random_grid() {
   zonal::CoefficientGrid<N> grid({-1, 0.1F, 2}, {1, 3.3F, 1e6F}, {3, 2, 4});
@@ -44,13 +30,6 @@ zonal::CoefficientGrid<N> random_grid() {
   return grid;
 }
 
-std::string bytes_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-void write(const fs::path& path, const std::string& bytes) {
-  std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-}
 std::string error_of(const fs::path& path) {
   try {
     zonal::load_grid<N>(path);
@@ -59,7 +38,6 @@ std::string error_of(const fs::path& path) {
   }
   return {};
 }
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
 

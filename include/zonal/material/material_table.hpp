@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <glm/vec3.hpp>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -55,6 +56,20 @@ class MaterialTable {
       append(without_cosine_, projection.without_cosine);
       achieved_error_ = std::max(achieved_error_, projection.error);
     }
+  }
+
+  /// All rows as with_cosine_rows() and without_cosine_rows() return them, `angles` (90, or 1) times
+  /// bands (bands + 1) / 2 coefficients, and the error that achieved_error() is to return: a table from a file.
+  MaterialTable(int bands, int angles, double achieved_error, std::vector<glm::vec3> with_cosine,
+                std::vector<glm::vec3> without_cosine)
+      : bands_(bands),
+        angles_(angles),
+        achieved_error_(achieved_error),
+        with_cosine_(std::move(with_cosine)),
+        without_cosine_(std::move(without_cosine)) {
+    assert(1 <= bands && bands <= max_bands);
+    assert(angles_ == 1 || angles_ == max_angles);
+    assert(with_cosine_.size() == std::size_t(angles_ * row_size()) && without_cosine_.size() == with_cosine_.size());
   }
 
   int bands() const { return bands_; }

@@ -1,6 +1,6 @@
 # zonal-glsl as a user meets it: what it says of bad arguments, and what files it leaves.
 set(cases_dir ${CMAKE_CURRENT_LIST_DIR})
-set(run_case ${PROJECT_SOURCE_DIR}/tests/hvl_render/run_case.sh)
+set(run_case ${PROJECT_SOURCE_DIR}/tests/programs/run_case.sh)
 set(work_dir ${CMAKE_CURRENT_BINARY_DIR}/cases)
 file(MAKE_DIRECTORY ${work_dir}/inputs/folder.glsl)
 

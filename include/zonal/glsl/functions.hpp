@@ -384,12 +384,12 @@ struct AddSphere : Function {
     const auto up = io.sums("up", up_count<N>), down = io.sums("down", down_count<N>);
     LightSums<N, T> sums;
     sums.add(light, radiance, x[0], x[1], x[2]);
-    sums.for_each([&](int l, int m, const T(&v)[3], const T(&u)[3], const T(&d)[3]) {
-      if (!io.keeps(m)) return;
+    sums.for_each([&](int l, int m, int channel, const T& v, const T& u, const T& d) {
+      if (channel != 0 || !io.keeps(m)) return;
       const int i = sh_index(l, m);
-      if (l < N) value[i] = value[i] + v[0];
-      if (l > 0) up[i] = up[i] + u[0];
-      if (l + 1 < N) down[i] = down[i] + d[0];
+      if (l < N) value[i] = value[i] + v;
+      if (l > 0) up[i] = up[i] + u;
+      if (l + 1 < N) down[i] = down[i] + d;
     });
   }
 
@@ -424,10 +424,10 @@ struct FinishSums : Function {
     const auto down = io.template numbers<AddSphere::down_count<N>>("down", Domain::coefficient);
     const auto gradient = io.output_triples("gradient", N * N);
     LightSums<N, T> sums;
-    sums.for_each([&](int l, int m, T(&)[3], T(&u)[3], T(&d)[3]) {
+    sums.for_each([&](int l, int m, int channel, T&, T& u, T& d) {
       const auto i = static_cast<std::size_t>(sh_index(l, m));
-      if (l > 0) u[0] = up[i];
-      if (l + 1 < N) d[0] = down[i];
+      if (channel == 0 && l > 0) u = up[i];
+      if (channel == 0 && l + 1 < N) d = down[i];
     });
     sums.finish([&](auto l, auto m, int channel, const T&, const T& x, const T& y, const T& z) {
       if (channel == 0) gradient.set(sh_index(l, m), x, y, z);

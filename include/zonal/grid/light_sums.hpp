@@ -78,16 +78,18 @@ class LightSums {
     });
   }
 
-  /// visit(l, m, value, up, down), RGB arrays of three: what Y_l^m is multiplied by, for l up to N. `value` and `down`
-  /// stay 0 where there is no such degree: for l = N, and from l = N-1 on.
+  /// visit(l, m, colour, value, up, down): what Y_l^m is multiplied by, for l up to N. `value` and `down` stay 0 where
+  /// there is no such degree: for l = N, and from l = N-1 on.
   template <class Visit>
   void for_each(Visit&& visit) {
-    unroll<0, N + 1>([&](auto l) {
+    for (int l = 0; l <= N; ++l) {
       for (int m = -l; m <= l; ++m) {
-        Sums& sums = sums_[sh_index(l, m)];
-        visit(l, m, sums.value, sums.up, sums.down);
+        for (int c = 0; c < 3; ++c) {
+          T* const sums = sums_[sh_index(l, m)][c];
+          visit(l, m, c, sums[value], sums[up], sums[down]);
+        }
       }
-    });
+    }
   }
 
   /// The results: sink(l, m, colour, value, d/dx, d/dy, d/dz), colour 0 to 2.

@@ -20,6 +20,7 @@ inline constexpr std::string_view kNormalResults = "results that are normal numb
 inline constexpr std::string_view kOfTheDegree = "sqrt((2l+1)/4pi)";
 inline constexpr std::string_view kSteepest = "the degree's steepest slope";
 inline constexpr std::string_view kAllCaps = "half angles from asin(1e-12) to pi - asin(1e-12)";
+inline constexpr std::string_view kSmallCaps = "half angles from asin(1e-12) to pi/2";
 inline constexpr std::string_view kLargest = "largest coefficient";
 inline constexpr std::string_view kUlpOfResult = "ulp of the result";
 inline constexpr std::string_view kUlpOfPi = "ulp of pi";
@@ -44,6 +45,9 @@ inline constexpr Accuracy kAccuracyTable[] = {
     {"project(SphericalCap)", "float", 21, kAllCaps, kLargest, 4e-7},
     {"project(SphericalCap)", "float", 51, kAllCaps, kLargest, 8e-7},
     {"project(SphericalCap)", "double", 51, kAllCaps, kLargest, 2e-15},
+    {"project_up_to_hemisphere(SphericalCap)", "float", 10, kSmallCaps, kLargest, 4e-7},
+    {"project_up_to_hemisphere(SphericalCap)", "float", 21, kSmallCaps, kLargest, 7e-7},
+    {"project_up_to_hemisphere(SphericalCap)", "double", 21, kSmallCaps, kLargest, 2e-15},
     {"project_derivative(SphericalCap)", "float", 10, kAllCaps, kLargest, 1e-6},
     {"project_derivative(SphericalCap)", "float", 21, kAllCaps, kLargest, 2e-6},
     {"project_derivative(SphericalCap)", "float", 51, kAllCaps, kLargest, 4e-6},

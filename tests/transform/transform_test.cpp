@@ -95,6 +95,18 @@ TEST_CASE("reconstruct: is evaluate and dot in one") {
   }
 }
 
+TEST_CASE("reconstruct_convolved: is convolve and reconstruct in one") {
+  std::mt19937 random(12);
+  zonal::Sh<6, double> sh{};
+  for (double& c : sh) c = std::normal_distribution<double>()(random);
+  const auto kernel = zonal::project<6>(zonal::PhongLobe<double>{7});
+  for (int trial = 0; trial < 100; ++trial) {
+    const Vec3 d = random_direction(random);
+    CHECK(std::abs(zonal::reconstruct_convolved(sh, kernel, d) - zonal::reconstruct(zonal::convolve(sh, kernel), d)) <
+          1e-13);
+  }
+}
+
 TEST_CASE("window: factors by their formulas, zero at the width, and the mean kept") {
   zonal::Sh<5, double> ones{};
   for (double& c : ones) c = 1;

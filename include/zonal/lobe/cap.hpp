@@ -135,8 +135,8 @@ ZONAL_INLINE constexpr void project(const SphericalCap<T>& cap, Sink&& sink) {
       cap, [&](auto l, const T& sum) ZONAL_INLINE { sink(l, T(constexpr_sqrt(kPi * (2 * l + 1)) / 2) * sum); });
 }
 
-/// The same for a cap up to the hemisphere, such as a sphere covers: about half the operations, at the accuracy of
-/// docs/accuracy.md again.
+/// The same for a cap up to the hemisphere, such as a sphere covers, with no choices; for many bands a little less
+/// accurate: docs/accuracy.md.
 template <int N, class T, class Sink>
 ZONAL_INLINE constexpr void project_up_to_hemisphere(const SphericalCap<T>& cap, Sink&& sink) {
   detail::hemisphere_cap_sums<N>(

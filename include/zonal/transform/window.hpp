@@ -14,12 +14,16 @@ namespace zonal {
 enum class Window { none, hann, sinc };
 
 /// The factor of degree l, 0 <= l <= width: hann (1 + cos(pi l/width))/2, sinc sin(pi l/width)/(pi l/width) [1].
-template <class T>
+template <class T, class = std::enable_if_t<!std::is_integral_v<T>>>
 ZONAL_INLINE constexpr T window_factor(Window window, int degree, const T& width) {
   if (window == Window::none || degree == 0) return T(1);
   const T half = T(kPi / 2 * degree) / width;  // (1 + cos(2x))/2 = cos^2 x, sin(2x) = 2 sin x cos x
   const SinCos<T> at = sin_cos(half);
   return at.cosine * (window == Window::hann ? at.cosine : at.sine / half);
+}
+
+constexpr double window_factor(Window window, int degree, int width) {
+  return window_factor(window, degree, static_cast<double>(width));
 }
 
 namespace detail {

@@ -1,0 +1,24 @@
+// Writes every GLSL function, with a caller between flat arrays of floats, for glm_functions.cpp: 1, 2, 5 and 10 bands.
+#include <zonal/glsl/function_text.hpp>
+
+#include <cstdio>
+#include <fstream>
+
+#include "../glsl/caller.hpp"
+#include "shader_functions.hpp"
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  std::ofstream file(argv[1]);
+  std::string table;
+  for (const auto& entry : zonal_glsl::shader_functions()) {
+    for (const int bands : {1, 2, 5, 10}) {
+      if (!entry.has_bands && bands > 1) continue;
+      const auto function = entry.record(bands, zonal::glsl::all_orders);
+      file << function_text(function, *zonal::glsl::find_dialect("glsl450")) << caller_text(function, "int");
+      table += "    {\"" + function.name + "\", call_" + function.name + "},\n";
+    }
+  }
+  file << "const std::map<std::string, void (*)(int, int)> callers = {\n" << table << "};\n";
+  return file ? 0 : 1;
+}

@@ -107,6 +107,49 @@ TEST_CASE("rgl: anisotropic files of the whole turn, its half and its quarter") 
   }
 }
 
+TEST_CASE("rgl: the warp is the cumulative distribution of the blended densities, rows first") {
+  constexpr std::size_t rows = 4, columns = 7, slices = 6;
+  Random random(36);
+  std::vector<float> density(slices * rows * columns);
+  for (float& x : density) x = random() < 0.3F ? 0.0F : random();
+  const zonal::detail::SquareWarp warp({rows, columns}, density);
+
+  // each slice as a function, and its integral, by midpoints of a grid that the samples are part of
+  constexpr int fine = 120;
+  std::vector<std::vector<double>> cells(slices, std::vector<double>(fine * fine));
+  for (std::size_t slice = 0; slice < slices; ++slice) {
+    const auto first = density.begin() + std::ptrdiff_t(slice * rows * columns);
+    const zonal::detail::SquareFunction f{{rows, columns}, {first, first + std::ptrdiff_t(rows * columns)}};
+    double total = 0.0;
+    for (int i = 0; i < fine * fine; ++i) {
+      total += cells[slice][std::size_t(i)] = f({(i % fine + 0.5) / fine, (i / fine + 0.5) / fine});
+    }
+    for (double& cell : cells[slice]) cell /= total;
+  }
+  for (int trial = 0; trial < 200; ++trial) {
+    const zonal::detail::NodePair phi{0, 1, double(random())}, theta{1, 2, double(random())};
+    const zonal::detail::SliceBlend blend = zonal::detail::slice_blend(phi, theta, 3);
+    const int column = 1 + int(random() * (fine - 1)), row = 1 + int(random() * (fine - 1));
+    double below = 0.0, left = 0.0, whole_row = 0.0;
+    for (int y = 0; y <= row; ++y) {
+      for (int x = 0; x < fine; ++x) {
+        double cell = 0.0;
+        for (std::size_t k = 0; k < 4; ++k) cell += blend.weight[k] * cells[blend.slice[k]][std::size_t(y * fine + x)];
+        if (y < row) below += cell;
+        // along the row at the edge between two rows of cells: their mean
+        if (y + 1 >= row) whole_row += 0.5 * cell;
+        if (y + 1 >= row && x < column) left += 0.5 * cell;
+      }
+    }
+    const glm::dvec2 place = warp({column / double(fine), row / double(fine)}, blend);
+    CAPTURE(trial, column, row);
+    CHECK(std::abs(place.y - below) < 1e-5);
+    // at a row of samples the density has a kink, which the mean of two rows rounds off
+    CHECK(std::abs(place.x - left / whole_row) < (row % (fine / (int(rows) - 1)) == 0 ? 2e-2 : 1e-5));
+  }
+  CHECK_THROWS_AS(zonal::detail::SquareWarp({2, 2}, std::vector<float>{0, -1, 0, 0}), std::invalid_argument);
+}
+
 TEST_CASE("rgl: zero at and below the horizon, finite above it") {
   const zonal::RglBrdf brdf = read_back({0.3, 0.3}, {});
   Random random(34);

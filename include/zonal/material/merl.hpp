@@ -13,6 +13,9 @@
 // the outermost middles constant. Negative samples are those that could not be measured, channel by channel: they
 // are left out, the weights of the others being divided by their sum, and where nothing is left f is zero.
 //
+// project_material(even_part(merl), bands, tolerance) makes its table: 1 s at a tolerance of 1e-3, 8 s at 1e-4, for the
+// kinks between bins. material_file.hpp keeps it.
+//
 // [1] W. Matusik, H. Pfister, M. Brand, L. McMillan, "A Data-Driven Reflectance Model", SIGGRAPH 2003.
 // [2] S. Rusinkiewicz, "A New Change of Variables for Efficient BRDF Representation", EGWR 1998.
 #pragma once

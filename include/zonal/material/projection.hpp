@@ -62,15 +62,15 @@ namespace detail {
 
 inline double largest(const glm::dvec3& rgb) { return std::max({std::abs(rgb.x), std::abs(rgb.y), std::abs(rgb.z)}); }
 
-template <int N>
-double largest(const EvenSh<N, glm::dvec3>& sh) {
+template <class Coefficients>
+double largest(const Coefficients& sh) {
   double result = 0.0;
   for (const glm::dvec3& coefficient : sh) result = std::max(result, largest(coefficient));
   return result;
 }
 
-template <int N>
-double relative_movement(const EvenSh<N, glm::dvec3>& from, const EvenSh<N, glm::dvec3>& to) {
+template <class Coefficients>
+double relative_movement(const Coefficients& from, const Coefficients& to) {
   const double scale = largest(to);
   return scale > 0.0 ? largest(to - from) / scale : largest(from);
 }
@@ -89,18 +89,24 @@ BrdfProjection<N> sum(const BrdfProjection<N>& a, const BrdfProjection<N>& b) {
           std::max(a.theta_nodes, b.theta_nodes)};
 }
 
+/// What a function becomes when phi changes its sign: itself, or its opposite.
+enum class Parity { even, odd };
+
 /// Adds to `moments` the integrals of f cos(m phi), m < N, over the full circle of wi at the angle theta from
-/// the normal. phi runs over half of it, from the mirror direction's pi to 0, and counts twice.
-template <int N, class F>
+/// the normal; of f sin(m phi) where f is odd. phi runs over half of it, from the mirror direction's pi to 0, and
+/// counts twice.
+template <int N, Parity parity, class F>
 void add_azimuthal_moments(const F& brdf, const glm::dvec3& wo, double cos_theta, double sin_theta,
                            const QuadratureRule& rule, glm::dvec3 (&moments)[std::size_t(N)]) {
   for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
     const double s = 0.5 * (1.0 + rule.nodes[i]);
     const double from_mirror = double(kPi) * s * s;
     const double cos_phi = -std::cos(from_mirror);
-    const glm::dvec3 wi(sin_theta * cos_phi, sin_theta * std::sin(from_mirror), cos_theta);
+    const double sin_phi = std::sin(from_mirror);
+    const glm::dvec3 wi(sin_theta * cos_phi, sin_theta * sin_phi, cos_theta);
     const glm::dvec3 weighted = brdf(wi, wo) * (2.0 * double(kPi) * s * rule.weights[i]);
-    double previous = cos_phi, c = 1.0;  // cos((m - 1) phi), cos(m phi)
+    double previous = parity == Parity::even ? cos_phi : -sin_phi;  // cos((m - 1) phi), or the sine
+    double c = parity == Parity::even ? 1.0 : 0.0;                  // cos(m phi), or the sine
     for (int m = 0; m < N; ++m) {
       moments[m] += weighted * c;
       const double next = 2.0 * cos_phi * c - previous;
@@ -111,8 +117,8 @@ void add_azimuthal_moments(const F& brdf, const glm::dvec3& wo, double cos_theta
 }
 
 /// Adds to both integrals the rows of theta between `mirror`, where the nodes crowd, and `end`. Y_l^m is its
-/// value at phi = 0 times cos(m phi), so each row needs the basis once.
-template <int N, class F>
+/// value at phi = 0 times cos(m phi), and Y_l^-m the same times sin(m phi), so each row needs the basis once.
+template <int N, Parity parity, class F>
 void add_theta_interval(const F& brdf, const glm::dvec3& wo, double mirror, double end, const QuadratureRule& rule,
                         BrdfProjection<N>& result) {
   const double width = end - mirror;
@@ -122,7 +128,7 @@ void add_theta_interval(const F& brdf, const glm::dvec3& wo, double mirror, doub
     const double theta = mirror + width * s * s;
     const double cos_theta = std::cos(theta), sin_theta = std::sin(theta);
     glm::dvec3 moments[std::size_t(N)] = {};
-    add_azimuthal_moments<N>(brdf, wo, cos_theta, sin_theta, rule, moments);
+    add_azimuthal_moments<N, parity>(brdf, wo, cos_theta, sin_theta, rule, moments);
     const double solid_angle = std::abs(width) * s * rule.weights[i] * sin_theta;
     const EvenSh<N, double> basis = evaluate_even<N>(sin_theta, cos_theta);
     for (int l = 0; l < N; ++l) {
@@ -135,13 +141,14 @@ void add_theta_interval(const F& brdf, const glm::dvec3& wo, double mirror, doub
   }
 }
 
-template <int N, class F>
+/// Where f is odd, (l, m) of the result is the coefficient of (l, -m).
+template <int N, Parity parity = Parity::even, class F>
 BrdfProjection<N> project_brdf_once(const F& brdf, double cos_outgoing, const QuadratureRule& rule) {
   const double theta_o = std::acos(cos_outgoing);
   const glm::dvec3 wo(std::sin(theta_o), 0.0, cos_outgoing);
   BrdfProjection<N> result;
-  add_theta_interval<N>(brdf, wo, theta_o, 0.0, rule, result);
-  add_theta_interval<N>(brdf, wo, theta_o, 0.5 * double(kPi), rule, result);
+  add_theta_interval<N, parity>(brdf, wo, theta_o, 0.0, rule, result);
+  add_theta_interval<N, parity>(brdf, wo, theta_o, 0.5 * double(kPi), rule, result);
   result.theta_nodes = int(rule.nodes.size());
   return result;
 }

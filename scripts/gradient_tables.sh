@@ -14,14 +14,14 @@ case "${1-}" in
 esac
 
 {
-  zonal_setup ZONAL_REQUIRE_TESTS catch2 libbenchmark-dev clang python3
+  zonal_setup ZONAL_REQUIRE_TESTS catch2 libbenchmark-dev python3
   zonal_say "building zonal-bench and grid-render ($zonal_jobs at a time)"
   cmake --build "$zonal_build" --target zonal-bench grid-render -j "$zonal_jobs"
 } >&2
 
 folder="$(mktemp -d)"
 trap 'rm -rf "$folder"' EXIT
-tables="$zonal_root/scripts/gradient_tables.py"
+print_tables="$zonal_root/scripts/gradient_tables.py"
 
 # report <name> <argument>...: grid-render's JSON
 report() {
@@ -35,7 +35,7 @@ printf '```\n'
   sed -n '1p; /^Gradient paper, Table 1/,$ p'
 printf '```\n\n'
 
-python3 "$tables" picture "$folder/waves.ppm"
+python3 "$print_tables" picture "$folder/waves.ppm"
 for lights in 1793 578 512 242 800 722; do
   report "lights_$lights" --size "$size" --lights "$lights" --compare "$folder/out"
 done
@@ -43,14 +43,14 @@ for texels in 60:900 100:2500; do
   report "lights_${texels#*:}" --size "$size" --texture "$folder/waves.ppm" --texture-size "${texels%:*}" \
     --compare "$folder/out"
 done
-python3 "$tables" table_3 "$folder"
+python3 "$print_tables" table_3 "$folder"
 
 for lights in 288 512 800 722; do
   report "shapes_$lights" --size "$shapes_size" --lights "$lights" --compare-shapes "$folder/out"
 done
-python3 "$tables" table_4 "$folder"
+python3 "$print_tables" table_4 "$folder"
 
 for bands in 5 7 9; do
   report "bands_$bands" --size "$size" --lights 512 --bands "$bands" --compare "$folder/out"
 done
-python3 "$tables" table_5 "$folder"
+python3 "$print_tables" table_5 "$folder"

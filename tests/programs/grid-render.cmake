@@ -26,16 +26,18 @@ refused("quadtree error nan" "--quadtree-error: 'nan' is not in 0...1000" --text
 refused("texture size 0" "--texture-size: '0' is not in 1...512" --texture reference.exr --texture-size 0)
 
 refused("unknown shape" "--shape: 'cube' is not one of spheres.triangles.triangle-spheres" --shape cube)
-refused("two comparisons" "--compare-shapes excludes --compare" --compare out --compare-shapes out)
+refused("two comparisons" "--compare excludes --compare-shapes" --compare out --compare-shapes out)
 refused("a shape and all of them" "--compare-shapes excludes --shape" --compare-shapes out --shape triangles)
 foreach(arguments "--shape;triangles" "--shape;triangle-spheres" "--compare-shapes;out")
   refused("bands for ${arguments}" "--bands: '7' is not one of 5.9, as triangles need" --bands 7 ${arguments})
 endforeach()
 foreach(option save load)
-  refused("${option} without a grid" "--${option}-grid: --interpolation none has no grid"
-    --interpolation none --${option}-grid box.grid)
+  program_case("${option} without a grid" 2 "" "grid-render: --${option}-grid: --interpolation none has no grid"
+    $<TARGET_FILE:grid-render> --interpolation none --${option}-grid box.grid)
 endforeach()
-refused("grids saved and loaded" "--load-grid excludes --save-grid" --load-grid box.grid --save-grid x.grid)
+program_case("grid both saved and loaded" 2 "" "grid-render: --save-grid excludes --load-grid"
+  $<TARGET_FILE:grid-render> --load-grid box.grid --save-grid x.grid)
+refused("resolution of a loaded grid" "--grid excludes --load-grid" --load-grid box.grid)
 
 # ---- Files ----------------------------------------------------------------------------------------------------------
 

@@ -1,33 +1,43 @@
+#include "band_list.hpp"
 #include "lighting_bands.hpp"
+#include "shared/input_error.hpp"
 
 namespace example::grid_render {
-
-extern template class LightingOf<3>;
-extern template class LightingOf<5>;
-extern template class LightingOf<7>;
-extern template class LightingOf<9>;
-
 namespace {
 
-using Make = std::unique_ptr<Lighting> (*)(const SphereLights&);
-template <int N>
-std::unique_ptr<Lighting> make(const SphereLights& lights) {
-  return std::make_unique<LightingOf<N>>(lights);
+template <class Bands, class Light>
+std::unique_ptr<Lighting> make(Lights<Light> lights, int bands) {
+  std::unique_ptr<Lighting> made;
+  Bands::dispatch(bands, [&](auto n) { made = std::make_unique<LightingOf<n, Light>>(std::move(lights)); });
+  return made;
 }
-constexpr std::array<std::pair<int, Make>, 4> makers{{{3, make<3>}, {5, make<5>}, {7, make<7>}, {9, make<9>}}};
 
 }  // namespace
 
-std::unique_ptr<Lighting> make_lighting(const SphereLights& lights, int bands) {
-  const auto found =
-      std::find_if(makers.begin(), makers.end(), [&](const auto& entry) { return entry.first == bands; });
-  return found->second(lights);
+std::unique_ptr<Lighting> make_lighting(Shape shape, const SphereLights& lights, const LightPanel& panel, int bands) {
+  if (shape == Shape::spheres) return make<AllBands>(lights, bands);
+  const TriangleLights triangles = triangles_of(lights, panel);
+  if (shape == Shape::triangles) return make<TriangleBands>(triangles, bands);
+  return make<TriangleBands>(triangle_spheres_of(triangles), bands);
 }
 
-std::vector<int> lighting_bands() {
-  std::vector<int> bands;
-  for (const auto& [number, make] : makers) bands.push_back(number);
-  return bands;
+std::unique_ptr<LightGrid> load_light_grid(const std::filesystem::path& path, const Bounds& box, int bands) {
+  try {
+    const zonal::GridFileHeader header = zonal::read_grid_header(path);
+    if (header.bands == bands && (header.low != box.lower || header.high != box.upper)) {
+      throw InputError(path.string() + ": is of another scene: its box is not this one's");
+    }
+    std::unique_ptr<LightGrid> grid;
+    AllBands::dispatch(bands, [&](auto n) { grid = std::make_unique<LightGridOf<n>>(zonal::load_grid<n>(path)); });
+    return grid;
+  } catch (const zonal::GridFileError& error) {
+    throw InputError(one_line(error.what()));
+  }
+}
+
+std::vector<int> lighting_bands(Shape shape) {
+  const auto list = [](const auto& numbers) { return std::vector<int>(std::begin(numbers), std::end(numbers)); };
+  return shape == Shape::spheres ? list(AllBands::numbers) : list(TriangleBands::numbers);
 }
 
 std::size_t grid_bytes(int bands, const glm::ivec3& resolution, GridContent content) {

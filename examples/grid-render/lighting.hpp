@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <memory>
 #include <vector>
 
@@ -30,8 +31,11 @@ class LightField : public Interface {
 
 class LightGrid : public Interface {
  public:
+  virtual glm::ivec3 resolution() const = 0;
   /// The grid must outlive it.
   virtual std::unique_ptr<LightField> interpolated(zonal::Interpolation method) const = 0;
+  /// Throws zonal::GridFileError; the file is then what it was.
+  virtual void save(const std::filesystem::path& path) const = 0;
 };
 
 /// Values alone, for trilinear interpolation, or gradients too.
@@ -39,17 +43,22 @@ enum class GridContent { values, values_and_gradients };
 
 class Lighting : public Interface {
  public:
-  /// Every light projected at every point: the reference. Its lights must outlive it.
+  virtual std::size_t light_count() const = 0;
+  /// Every light projected at every point: the reference.
   virtual std::unique_ptr<LightField> exact() const = 0;
   virtual std::unique_ptr<LightGrid> grid(const Bounds& box, const glm::ivec3& resolution,
                                           GridContent content) const = 0;
 };
 
-/// The lights in bands of spherical harmonics. The number is one of lighting_bands().
-std::unique_ptr<Lighting> make_lighting(const SphereLights& lights, int bands);
+/// The lights in bands of spherical harmonics, in the shape that is asked for; the panel is what squares are parallel
+/// to. The number of bands is one of lighting_bands(shape).
+std::unique_ptr<Lighting> make_lighting(Shape shape, const SphereLights& lights, const LightPanel& panel, int bands);
 
-/// The numbers of bands that are compiled in: each costs compile time.
-std::vector<int> lighting_bands();
+/// A grid from a file, of these bands and this box. Throws InputError.
+std::unique_ptr<LightGrid> load_light_grid(const std::filesystem::path& path, const Bounds& box, int bands);
+
+/// The numbers of bands that are compiled in: each costs compile time. Those of spheres are all there are.
+std::vector<int> lighting_bands(Shape shape);
 
 /// Bytes that a grid's floats take.
 std::size_t grid_bytes(int bands, const glm::ivec3& resolution, GridContent content);

@@ -1,3 +1,4 @@
 #include "lighting_bands.hpp"
 
-template class example::grid_render::LightingOf<5>;
+template class example::grid_render::LightGridOf<5>;
+template class example::grid_render::LightingOf<5, example::grid_render::Sphere>;

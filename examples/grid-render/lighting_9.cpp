@@ -1,3 +1,4 @@
 #include "lighting_bands.hpp"
 
-template class example::grid_render::LightingOf<9>;
+template class example::grid_render::LightGridOf<9>;
+template class example::grid_render::LightingOf<9, example::grid_render::Sphere>;

@@ -148,6 +148,27 @@ SphereLights make_texture_lights(const LightPanel& panel, const Image& texels, s
   return lights;
 }
 
+TriangleLights triangles_of(const SphereLights& lights, const LightPanel& panel) {
+  const glm::vec3 u = glm::normalize(panel.half_u), v = glm::normalize(panel.half_v);
+  TriangleLights triangles;
+  for (const auto& [light, colour] : lights) {
+    const float half = 0.5f * glm::root_pi<float>() * light.radius;
+    const auto corner = [&, &sphere = light](float x, float y) { return sphere.center + half * (x * u + y * v); };
+    const glm::vec3 corners[] = {corner(-1.0f, -1.0f), corner(1.0f, -1.0f), corner(1.0f, 1.0f), corner(-1.0f, 1.0f)};
+    triangles.push_back({{{corners[0], corners[1], corners[2]}}, colour});
+    triangles.push_back({{{corners[0], corners[2], corners[3]}}, colour});
+  }
+  return triangles;
+}
+
+TriangleSphereLights triangle_spheres_of(const TriangleLights& triangles) {
+  TriangleSphereLights lights;
+  for (const auto& [triangle, colour] : triangles) {
+    lights.push_back({zonal::TriangleSphereLight<float>::approximate(triangle), colour});
+  }
+  return lights;
+}
+
 SphereLights make_lights(const Scene& scene, const Options& options) {
   SphereLights lights;
   if (options.texture.empty()) {

@@ -4,6 +4,7 @@
 
 #include <zonal/grid/light_sums.hpp>
 #include <zonal/light/sphere.hpp>
+#include <zonal/light/triangle.hpp>
 
 #include "options.hpp"
 #include "shared/image.hpp"
@@ -11,7 +12,11 @@
 
 namespace example::grid_render {
 
-using SphereLights = std::vector<zonal::ColouredLight<zonal::SphereLight<float>>>;
+template <class Light>
+using Lights = std::vector<zonal::ColouredLight<Light>>;
+using SphereLights = Lights<zonal::SphereLight<float>>;
+using TriangleLights = Lights<zonal::TriangleLight<float>>;
+using TriangleSphereLights = Lights<zonal::TriangleSphereLight<float>>;
 
 /// Strings of lanterns over the panel, sagging between their hooks, their hue changing along and across.
 SphereLights make_lanterns(const LightPanel& panel, int count);
@@ -24,6 +29,12 @@ Image texels_of(const Image& picture, const LightPanel& panel, int longest);
 /// `quadtree_error` is the greatest difference of a texel's channel from its leaf's mean, of the picture's mean;
 /// without it every texel that is not black is a light.
 SphereLights make_texture_lights(const LightPanel& panel, const Image& texels, std::optional<float> quadtree_error);
+
+/// Two triangles for each sphere: a square as large as its disc, parallel to the panel. They shine to both sides.
+TriangleLights triangles_of(const SphereLights& lights, const LightPanel& panel);
+
+/// Each triangle approximated by a sphere with a cosine.
+TriangleSphereLights triangle_spheres_of(const TriangleLights& triangles);
 
 /// The lights that the options ask for, all together as bright as `panel.distance` wants: what lies there and faces
 /// them reflects a radiance of about 1 if white. Throws InputError.

@@ -14,6 +14,9 @@ namespace example::grid_render {
 /// How the coefficients at a point come about: interpolated, or, without a value, by projecting each light there.
 using Method = std::optional<zonal::Interpolation>;
 
+/// What a lantern or a texel is: a sphere, or a square of its disc's area as two triangles, exactly or as spheres.
+enum class Shape { spheres, triangles, triangle_spheres };
+
 struct Options : CommonOptions {
   Options() { out = "grid-render.png"; }
 
@@ -21,12 +24,16 @@ struct Options : CommonOptions {
   std::string texture;                  // empty: lanterns
   int texture_size = 64;                // texels on the longer side
   std::optional<float> quadtree_error;  // none: a light for each texel
+  Shape shape = Shape::spheres;
 
   int bands = 5;
   int lobe_bands = 9;
   zonal::Window window = zonal::Window::none;
   glm::ivec3 grid{8};
   Method method = zonal::Interpolation::hermite;
+  bool comparing_shapes = false;  // of the two that compare into a directory
+  std::string save_grid;          // empty: nowhere
+  std::string load_grid;          // empty: computed
 };
 
 /// Throws InputError with one line about what is wrong.

@@ -5,28 +5,25 @@
 #include <string>
 #include <vector>
 
+#include "lighting.hpp"
 #include "report.hpp"
 #include "shared/output_file.hpp"
 
 namespace example::grid_render {
 
-/// Where the pictures and the report go.
+/// Where the pictures, the grid and the report go.
 class Outputs {
  public:
   /// Throws InputError unless all can be written.
-  Outputs(const Options& options, const std::vector<Pass>& passes);
+  explicit Outputs(const Report& planned);
 
-  /// All or nothing.
-  void write(const Report& report) const;
+  /// All or nothing. `grid` is the one to save, if any.
+  void write(const Report& report, const LightGrid* grid) const;
 
  private:
-  /// What to write of a pass; the difference is from the first pass.
-  struct Files {
-    std::vector<std::filesystem::path> pictures;
-    std::filesystem::path difference;  // empty: none
-  };
-  std::vector<Files> files_;      // of each pass
-  std::filesystem::path report_;  // empty: none
+  std::vector<std::vector<std::filesystem::path>> pictures_;  // of each pass
+  std::vector<std::filesystem::path> differences_;            // of each comparison
+  std::filesystem::path grid_, report_;                       // empty: none
   std::optional<OutputDirectory> directory_;
 };
 

@@ -21,20 +21,29 @@ zonal::BrdfLobe without_colour(const zonal::PhongBrdf& lobe) {
   return zonal::PhongBrdf{glm::vec3(1.0f), lobe.exponent};
 }
 
+using Kernel = zonal::Zh<most_lobe_bands, float>;
+
 /// Seen from the normal a lobe is zonal: the coefficients of m = 0 are all there is.
-template <class Lobe>
-zonal::Zh<most_lobe_bands, float> lobe_kernel(const Lobe& lobe, const Options& options) {
-  const zonal::BrdfLobe white = without_colour(lobe);
-  const auto brdf = [&](const glm::dvec3& wi, const glm::dvec3& wo) { return zonal::evaluate(white, wi, wo); };
-  const auto projection = zonal::project_brdf<most_lobe_bands>(brdf, 1.0, projection_tolerance).with_cosine;
-  const double integral = std::sqrt(4.0 * glm::pi<double>()) * projection(0, 0).r;
+Kernel kernel_of(const zonal::EvenSh<most_lobe_bands, glm::dvec3>& projection, double integral,
+                 const Options& options) {
   const int bands = std::min(options.bands, options.lobe_bands);
-  zonal::Zh<most_lobe_bands, float> kernel{};
+  Kernel kernel{};
   for (int l = 0; l < bands; ++l) {
     const double factor = zonal::window_factor(options.window, l, bands);
     kernel[l] = static_cast<float>(factor * projection(l, 0).r / integral);
   }
   return kernel;
+}
+
+template <class Lobe>
+GlossyLobe glossy_lobe(const Lobe& lobe, const Options& options) {
+  const zonal::BrdfLobe white = without_colour(lobe);
+  const auto brdf = [&](const glm::dvec3& wi, const glm::dvec3& wo) { return zonal::evaluate(white, wi, wo); };
+  const auto projection = zonal::project_brdf<most_lobe_bands>(brdf, 1.0, projection_tolerance);
+  const double integral = std::sqrt(4.0 * glm::pi<double>()) * projection.with_cosine(0, 0).r;
+  const auto for_each = [](int count, const auto& body) { tbb::parallel_for(0, count, body); };
+  return {kernel_of(projection.with_cosine, integral, options), kernel_of(projection.without_cosine, integral, options),
+          zonal::project_material(zonal::Brdf{{lobe}}, 1, projection_tolerance, for_each)};
 }
 
 void add_lobe(Reflector& reflector, const zonal::LambertBrdf& lobe, const Options&) {
@@ -43,9 +52,7 @@ void add_lobe(Reflector& reflector, const zonal::LambertBrdf& lobe, const Option
 
 template <class Lobe>
 void add_lobe(Reflector& reflector, const Lobe& lobe, const Options& options) {
-  const auto for_each = [](int count, const auto& body) { tbb::parallel_for(0, count, body); };
-  reflector.glossy.push_back(
-      {lobe_kernel(lobe, options), zonal::project_material(zonal::Brdf{{lobe}}, 1, projection_tolerance, for_each)});
+  reflector.glossy.push_back(glossy_lobe(lobe, options));
 }
 
 }  // namespace

@@ -11,18 +11,61 @@ std::string resolution_text(const glm::ivec3& resolution) {
   return format("%dx%dx%d", resolution.x, resolution.y, resolution.z);
 }
 
-Row row_of(const Pass& pass, const Pass& first) {
-  Row row{pass.name};
-  row.push_back(pass.grid ? resolution_text(pass.grid->resolution) : "-");
-  row.push_back(pass.grid ? format("%.2f", static_cast<double>(pass.grid->bytes) / 1048576.0) : "-");
-  row.push_back(pass.grid ? format("%.2f", 1e3 * pass.grid->seconds) : "-");
-  row.push_back(format("%.1f", 1e3 * pass.seconds));
-  if (!pass.errors) return row;
-  row.push_back(format("%.1f", first.total() / pass.total()));
-  row.push_back(format("%.3f", 1e3 * pass.errors->mae));
-  row.push_back(format("%.3f", 1e3 * pass.errors->linear_mae));
-  row.push_back(format("%.2f", pass.errors->psnr));
+Row pass_cells(const Pass& pass) {
+  return {pass.name, pass.grid ? resolution_text(pass.grid->resolution) : "-",
+          pass.grid ? format("%.2f", static_cast<double>(pass.grid->bytes) / 1048576.0) : "-",
+          pass.grid ? format("%.2f", 1e3 * pass.grid->seconds) : "-", format("%.1f", 1e3 * pass.seconds)};
+}
+
+Row error_cells(const ImageErrors& errors) {
+  return {format("%.3f", 1e3 * errors.mae), format("%.3f", 1e3 * errors.linear_mae), format("%.2f", errors.psnr)};
+}
+
+const Row pass_titles{"", "grid", "MiB", "grid, ms", "shading, ms"};
+const Row error_titles{"MAE, 1e-3", "MAE / mean, 1e-3", "PSNR, dB"};
+
+Row joined(Row row, const Row& more) {
+  row.insert(row.end(), more.begin(), more.end());
   return row;
+}
+
+std::string pass_table(const Report& report) {
+  std::vector<Row> rows{pass_titles};
+  for (const Pass& pass : report.passes) rows.push_back(pass_cells(pass));
+  return align(rows);
+}
+
+/// Each pass against the first.
+std::string interpolation_table(const Report& report) {
+  std::vector<Row> rows{joined(joined(pass_titles, {"speed-up"}), error_titles)};
+  const Pass& reference = report.passes.front();
+  rows.push_back(joined(pass_cells(reference), {"-", "-", "-", "-"}));
+  for (const Comparison& comparison : report.comparisons) {
+    const Pass& pass = report.passes[comparison.picture];
+    const Row speed_up{format("%.1f", reference.total() / pass.total())};
+    rows.push_back(joined(joined(pass_cells(pass), speed_up), error_cells(comparison.errors)));
+  }
+  return align(rows);
+}
+
+std::string comparison_table(const Report& report) {
+  std::vector<Row> rows{joined({"", "against"}, error_titles)};
+  for (const Comparison& comparison : report.comparisons) {
+    const Row names{report.passes[comparison.picture].name, report.passes[comparison.reference].name};
+    rows.push_back(joined(names, error_cells(comparison.errors)));
+  }
+  return align(rows);
+}
+
+std::string tables(const Report& report) {
+  if (!report.options.comparing()) return pass_table(report);
+  if (!report.options.comparing_shapes) return interpolation_table(report);
+  return pass_table(report) + "\n" + comparison_table(report);
+}
+
+std::string lights_text(const Report& report) {
+  const Options& options = report.options;
+  return options.load_grid.empty() ? format("%zu lights", report.counts.lights) : "the grid of " + options.load_grid;
 }
 
 }  // namespace
@@ -40,24 +83,16 @@ double equal_time_resolution(const Report& report) {
 }
 
 std::string table(const Report& report) {
-  std::vector<Row> rows{{"", "grid", "MiB", "grid, ms", "shading, ms"}};
-  const bool comparing = report.options.comparing();
-  if (comparing) rows[0].insert(rows[0].end(), {"speed-up", "MAE, 1e-3", "MAE / mean, 1e-3", "PSNR, dB"});
-  for (const Pass& pass : report.passes) {
-    Row row = row_of(pass, report.passes.front());
-    row.resize(rows[0].size(), "-");
-    rows.push_back(row);
-  }
-  std::string text = align(rows);
-  text += format("%zu lights, %d bands, lobes %d; %zu points shaded; no shadows.\n", report.counts.lights,
-                 report.options.bands, report.options.lobe_bands, report.counts.primary_hits);
-  if (comparing) {
-    text += format("MAE: of display values, and of radiance; pictures of differences: display values x %.0f.\n",
-                   static_cast<double>(difference_factor));
-    text += format("Values alone would have some %.1f vertices on an axis in the time of values and gradients.\n",
-                   equal_time_resolution(report));
-  }
-  return text;
+  const Options& options = report.options;
+  std::string text = tables(report) + lights_text(report);
+  text += format(", %d bands, lobes %d; %zu points shaded; no shadows.\n", options.bands, options.lobe_bands,
+                 report.counts.primary_hits);
+  if (!options.comparing()) return text;
+  text += format("MAE: of display values, and of radiance; pictures of differences: display values x %.0f.\n",
+                 static_cast<double>(difference_factor));
+  if (options.comparing_shapes) return text;
+  return text + format("Values alone would have some %.1f vertices on an axis in the time of values and gradients.\n",
+                       equal_time_resolution(report));
 }
 
 }  // namespace example::grid_render

@@ -25,16 +25,30 @@ struct GridFacts {
   double seconds = 0.0;  // to build
 };
 
+/// How the light at a point comes about.
+struct Technique {
+  Shape shape;
+  Method method;
+  bool is_zonal = false;  // zonal by zonal, with the cosine of the centre (zonal_field.hpp)
+};
+
 /// One way to the picture.
 struct Pass {
   std::string name;
-  Method method;
-  std::optional<GridFacts> grid;  // none: without a grid
-  double seconds = 0.0;           // interpolation, or projection, and shading
-  Image picture;                  // linear radiance
-  std::optional<ImageErrors> errors;
+  Technique technique;
+  std::optional<GridFacts> grid = std::nullopt;  // none: without a grid
+  std::size_t lights = 0;                        // triangles, where the shape is made of them
+  double seconds = 0.0;                          // interpolation, or projection, and shading
+  Image picture = {};                            // linear radiance
 
   double total() const { return seconds + (grid ? grid->seconds : 0.0); }
+};
+
+/// A pass's picture beside what it stands for, another's.
+struct Comparison {
+  std::size_t picture, reference;  // numbers of passes
+  std::string name;                // of the picture of differences
+  ImageErrors errors = {};
 };
 
 struct Counts {
@@ -52,8 +66,9 @@ struct Report {
   StageTimes times;
   Counts counts;
   Machine machine;
-  Bounds box;                // of the grids
-  std::vector<Pass> passes;  // comparing, the reference, trilinear, and others
+  Bounds box;                           // of the grids
+  std::vector<Pass> passes;             // comparing interpolations, the reference, trilinear, and others
+  std::vector<Comparison> comparisons;  // comparing interpolations, of each pass but the first with that
 };
 
 /// How much brighter than the differences of display values their pictures are.

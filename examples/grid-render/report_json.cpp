@@ -16,7 +16,10 @@ nlohmann::json options_json(const Options& options) {
                {"texture", options.texture},
                {"texture_size", options.texture_size},
                {"quadtree_error", options.quadtree_error ? nlohmann::json(*options.quadtree_error) : nlohmann::json()},
+               {"shape", options.comparing_shapes ? "compare" : name_of(shape_names, options.shape)},
                {"grid", vector_json(options.grid)},
+               {"save_grid", options.save_grid},
+               {"load_grid", options.load_grid},
                {"bands", options.bands},
                {"lobe_bands", options.lobe_bands},
                {"window", name_of(window_names, options.window)}});
@@ -32,30 +35,50 @@ nlohmann::json counts_json(const Counts& counts) {
           {"pixels_not_finite", counts.pixels_not_finite}};
 }
 
-nlohmann::json errors_json(const ImageErrors& errors, const ImageErrors& trilinear) {
+nlohmann::json errors_json(const ImageErrors& errors) {
   return {{"mae", number_or_null(errors.mae)},
-          {"mae_over_trilinear", number_or_null(errors.mae / trilinear.mae)},
           {"rmse", number_or_null(errors.rmse)},
           {"psnr_db", number_or_null(errors.psnr)},
           {"ssim", number_or_null(errors.ssim)},
           {"linear_mae_relative_to_mean", number_or_null(errors.linear_mae)},
-          {"linear_mae_relative_to_mean_over_trilinear", number_or_null(errors.linear_mae / trilinear.linear_mae)},
           {"linear_rmse_relative_to_mean", number_or_null(errors.linear_rmse)}};
 }
 
-/// Comparing, the first two passes are the reference and the trilinear one.
-nlohmann::json pass_json(const Pass& pass, const std::vector<Pass>& passes) {
-  nlohmann::json json{{"interpolation", name_of(method_names, pass.method)}, {"shading_seconds", pass.seconds}};
+nlohmann::json pass_json(const Pass& pass) {
+  nlohmann::json json{{"interpolation", name_of(method_names, pass.technique.method)},
+                      {"shape", name_of(shape_names, pass.technique.shape)},
+                      {"lights", pass.lights},
+                      {"shading_seconds", pass.seconds}};
+  if (pass.technique.is_zonal) json["interpolation"] = "zonal";
   if (pass.grid) {
     json["grid"] = {{"resolution", vector_json(pass.grid->resolution)},
                     {"bytes", pass.grid->bytes},
                     {"seconds", pass.grid->seconds}};
   }
-  if (pass.errors) {
-    json["errors"] = errors_json(*pass.errors, *passes[1].errors);
-    json["speed_up"] = number_or_null(passes[0].total() / pass.total());
-  }
   return json;
+}
+
+/// Each pass's errors against the first, and beside those of the trilinear one, which comes next.
+void add_errors(nlohmann::json& passes, const Report& report) {
+  const ImageErrors& trilinear = report.comparisons.front().errors;
+  for (const Comparison& comparison : report.comparisons) {
+    const Pass& pass = report.passes[comparison.picture];
+    const ImageErrors& errors = comparison.errors;
+    nlohmann::json& json = passes[pass.name];
+    json["errors"] = errors_json(errors);
+    json["errors"]["mae_over_trilinear"] = number_or_null(errors.mae / trilinear.mae);
+    json["errors"]["linear_mae_relative_to_mean_over_trilinear"] =
+        number_or_null(errors.linear_mae / trilinear.linear_mae);
+    json["speed_up"] = number_or_null(report.passes[comparison.reference].total() / pass.total());
+  }
+}
+
+void add_comparisons(nlohmann::json& json, const Report& report) {
+  for (const Comparison& comparison : report.comparisons) {
+    json[comparison.name] = {{"picture", report.passes[comparison.picture].name},
+                             {"reference", report.passes[comparison.reference].name},
+                             {"errors", errors_json(comparison.errors)}};
+  }
 }
 
 }  // namespace
@@ -64,9 +87,14 @@ std::string json_text(const Report& report) {
   nlohmann::json json =
       report_json(options_json(report.options), counts_json(report.counts), report.machine, report.times);
   json["box"] = {{"lower", vector_json(report.box.lower)}, {"upper", vector_json(report.box.upper)}};
-  for (const Pass& pass : report.passes) json["passes"][pass.name] = pass_json(pass, report.passes);
-  if (report.options.comparing()) {
+  for (const Pass& pass : report.passes) json["passes"][pass.name] = pass_json(pass);
+  if (report.options.comparing_shapes) {
+    add_comparisons(json["comparisons"], report);
+  } else if (report.options.comparing()) {
+    add_errors(json["passes"], report);
     json["equal_time_resolution"] = number_or_null(equal_time_resolution(report));
+  }
+  if (report.options.comparing()) {
     json["difference_pictures"] = {{"quantity", "absolute difference of display values"},
                                    {"factor", difference_factor}};
   }

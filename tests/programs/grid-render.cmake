@@ -25,6 +25,20 @@ refused("quadtree without a texture" "--quadtree-error requires --texture" --qua
 refused("quadtree error nan" "--quadtree-error: 'nan' is not in 0...1000" --texture reference.exr --quadtree-error nan)
 refused("texture size 0" "--texture-size: '0' is not in 1...512" --texture reference.exr --texture-size 0)
 
+refused("unknown shape" "--shape: 'cube' is not one of spheres.triangles.triangle-spheres" --shape cube)
+refused("two comparisons" "--compare excludes --compare-shapes" --compare out --compare-shapes out)
+refused("a shape and all of them" "--compare-shapes excludes --shape" --compare-shapes out --shape triangles)
+foreach(arguments "--shape;triangles" "--shape;triangle-spheres" "--compare-shapes;out")
+  refused("bands for ${arguments}" "--bands: '7' is not one of 5.9, as triangles need" --bands 7 ${arguments})
+endforeach()
+foreach(option save load)
+  program_case("${option} without a grid" 2 "" "grid-render: --${option}-grid: --interpolation none has no grid"
+    $<TARGET_FILE:grid-render> --interpolation none --${option}-grid box.grid)
+endforeach()
+program_case("grid both saved and loaded" 2 "" "grid-render: --save-grid excludes --load-grid"
+  $<TARGET_FILE:grid-render> --load-grid box.grid --save-grid x.grid)
+refused("resolution of a loaded grid" "--grid excludes --load-grid" --load-grid box.grid)
+
 # ---- Files ----------------------------------------------------------------------------------------------------------
 
 refused("scene missing" "nowhere.obj: no such file" --scene nowhere.obj)
@@ -41,6 +55,25 @@ refused("report on a picture of the comparison" "out/taylor.exr: two outputs can
 refused("compare below a file" "box.obj: cannot be made a directory .*" --compare box.obj)
 refused("compare without a texture" "nowhere.png: no such file" --compare out --texture nowhere.png)
 
+refused("save in no folder" "nowhere/x.grid: cannot be written .*" --save-grid nowhere/x.grid)
+refused("save on a folder" "folder.png: is not a regular file" --save-grid folder.png)
+refused("save on the picture" "./x.png: two outputs cannot be one file" --out ./x.png --save-grid x.png)
+program_case("load missing" 2 "" "grid-render: nowhere.grid: No such file or directory"
+  $<TARGET_FILE:grid-render> --load-grid nowhere.grid)
+foreach(load "no grid:box.obj:is no grid" "truncated:truncated.grid:is damaged: .*"
+    "of other bands:box.grid:has 5 bands, not 3" "of another scene:triangle.grid:is of another scene: .*")
+  string(REGEX MATCH "^([^:]*):([^:]*):(.*)$" load "${load}")
+  set(name ${CMAKE_MATCH_1})
+  set(file ${CMAKE_MATCH_2})
+  set(what ${CMAKE_MATCH_3})
+  set(bands 5)
+  if(name STREQUAL "of other bands")
+    set(bands 3)
+  endif()
+  program_case("load ${name}" 2 "" "grid-render: ${file}: ${what}"
+    $<TARGET_FILE:grid-render> --scene box.obj --bands ${bands} --load-grid ${file})
+endforeach()
+
 # ---- What works -----------------------------------------------------------------------------------------------------
 
 foreach(pass hermite taylor trilinear trilinear-equal-memory)
@@ -55,6 +88,15 @@ renders("picture without a grid" "x.png" "" --scene box.obj --interpolation none
 renders("flat scene without the stage" "grid-render.png" "" --scene triangle.obj --no-stage --quiet)
 renders("lit by a picture" "x.exr" "" --scene box.obj --texture reference.exr --quadtree-error 0.2 --out x.exr)
 
+renders("triangles" "x.png" "" --scene box.obj --lights 4 --shape triangles --out x.png)
+renders("triangle spheres of a picture" "x.png" ""
+  --scene box.obj --texture reference.exr --texture-size 4 --shape triangle-spheres --bands 9 --out x.png)
+# A grid has its gradients in the file, whatever it was saved by.
+foreach(shape spheres triangles)
+  program_case("${shape} saved and loaded" 0 "a.exr b.exr x.grid" "" ${programs_dir}/save_and_load.sh
+    $<TARGET_FILE:grid-render> --shape ${shape} --lights 4 --grid 2x3x4)
+endforeach()
+
 stops(--compare out --lights 100000)
 shows_progress(--interpolation none --threads 1 --lights 2000 --size 160x128)
 
@@ -63,6 +105,10 @@ shows_progress(--interpolation none --threads 1 --lights 2000 --size 160x128)
 add_test(NAME "grid-render: errors in the atrium" COMMAND ${CMAKE_COMMAND} -Dprogram=$<TARGET_FILE:grid-render>
   -Dfolder=${work_dir}/errors -P ${programs_dir}/grid_errors.cmake)
 set_tests_properties("grid-render: errors in the atrium" PROPERTIES TIMEOUT 60)
+
+add_test(NAME "grid-render: errors of the shapes" COMMAND ${CMAKE_COMMAND} -Dprogram=$<TARGET_FILE:grid-render>
+  -Dfolder=${work_dir}/shapes -P ${programs_dir}/grid_shapes.cmake)
+set_tests_properties("grid-render: errors of the shapes" PROPERTIES TIMEOUT 60)
 
 find_package(Catch2 QUIET)
 if(TARGET Catch2::Catch2)

@@ -2,6 +2,7 @@
 // of the materials, and the lights.
 #include "grid-render/lighting_bands.hpp"
 #include "grid-render/lights.hpp"
+#include "grid-render/zonal_field.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -89,7 +90,8 @@ void check_sphere_light(const zonal::Brdf& brdf, double light_degrees, double ey
   CAPTURE(light_degrees, eye_degrees);
   const SphereLights lights{{{3.0f * direction(light_degrees), 1.5f}, glm::vec3(2.0f)}};
   const glm::vec3 to_eye = direction(eye_degrees);
-  const glm::vec3 got = make_lighting(lights, 9)->exact()->reflected(surface(), to_eye, reflector_of(brdf, 9));
+  const glm::vec3 got =
+      make_lighting(Shape::spheres, lights, {}, 9)->exact()->reflected(surface(), to_eye, reflector_of(brdf, 9));
   const glm::dvec3 integral = integral_over_cap(brdf, glm::dvec3(to_eye), direction(light_degrees), std::cos(pi / 6.0));
   check_close(got, 2.0 * integral, share);
 }
@@ -104,6 +106,71 @@ TEST_CASE("shading: a sphere light above, seen from the normal") {
 TEST_CASE("shading: a sphere light in the mirror direction, where the lobe of the normal stands for the true one") {
   check_sphere_light(gold, -40.0, 40.0, 0.12);  // what the split sum costs there
   check_sphere_light(shiny, -40.0, 40.0, 0.1);
+}
+
+TEST_CASE("shading: zonal by zonal, a diffuse surface reflects solid angle times the cosine of the centre") {
+  const Reflector reflector = reflector_of(chalk, 5);
+  for (const double degrees : {0.0, 40.0, 80.0, 120.0}) {
+    CAPTURE(degrees);
+    const SphereLights lights{{{3.0f * direction(degrees), 1.5f}, glm::vec3(2.0f)}};
+    const glm::vec3 got = make_zonal_field(lights, 5)->reflected(surface(), direction(30.0), reflector);
+    const double solid_angle = 2.0 * pi * (1.0 - std::cos(pi / 6.0));
+    const double cosine = std::max(0.0, std::cos(degrees * pi / 180.0));
+    check_close(got, 2.0 / pi * solid_angle * cosine * glm::dvec3(0.8, 0.5, 0.2), 1e-5);
+  }
+}
+
+TEST_CASE("shading: zonal by zonal, a small light in the midst of a lobe is as bright as with the exact cosine") {
+  const SphereLights lights{{{3.0f * direction(-20.0), 0.05f}, glm::vec3(2.0f)}};
+  for (const zonal::Brdf* brdf : {&chalk, &gold, &shiny}) {
+    const Reflector reflector = reflector_of(*brdf, 9);
+    const glm::vec3 exact =
+        make_lighting(Shape::spheres, lights, {}, 9)->exact()->reflected(surface(), direction(20.0), reflector);
+    const glm::vec3 zonal = make_zonal_field(lights, 9)->reflected(surface(), direction(20.0), reflector);
+    check_close(zonal, glm::dvec3(exact), 0.06);
+  }
+}
+
+TEST_CASE("triangles: two for a sphere, as large as its disc, and parallel to the panel") {
+  const LightPanel panel = panel_of(1.0f, 2.0f);
+  const SphereLights spheres = make_lanterns(panel, 7);
+  const TriangleLights triangles = triangles_of(spheres, panel);
+  const TriangleSphereLights approximated = triangle_spheres_of(triangles);
+  REQUIRE(triangles.size() == 2 * spheres.size());
+  REQUIRE(approximated.size() == triangles.size());
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    glm::vec3 centre(0.0f);
+    double area = 0.0;
+    for (const std::size_t k : {2 * i, 2 * i + 1}) {
+      CHECK(triangles[k].colour == spheres[i].colour);
+      CHECK(std::abs(approximated[k].light.normal.y) == Catch::Approx(1.0));
+      centre += 0.5f * approximated[k].light.center;
+      area += pi * static_cast<double>(approximated[k].light.radius * approximated[k].light.radius);
+    }
+    CHECK(glm::distance(centre, spheres[i].light.center) < 1e-5f);
+    CHECK(area == Catch::Approx(pi * static_cast<double>(spheres[i].light.radius * spheres[i].light.radius)));
+  }
+}
+
+TEST_CASE("triangles: a point sees the sum of the polygons, each by itself in double") {
+  const LightPanel panel = panel_of(1.0f, 2.0f);
+  const TriangleLights lights = triangles_of(make_lanterns(panel, 11), panel);
+  const ExactField<5, Triangle> field(lights);
+  for (const glm::vec3& x : {glm::vec3(0.0f), glm::vec3(2.0f, 4.5f, -1.0f), glm::vec3(0.3f, 2.0f, 1.7f)}) {
+    zonal::Sh<5, glm::dvec3> expected{};
+    for (const auto& [light, colour] : lights) {
+      const auto& p = light.vertices;
+      const zonal::TriangleLight<double> wide{{glm::dvec3(p[0]), glm::dvec3(p[1]), glm::dvec3(p[2])}};
+      const auto sh = zonal::project<5>(wide, glm::dvec3(x), 1e-10);
+      for (int i = 0; i < 25; ++i) expected[i] += sh[i] * glm::dvec3(colour);
+    }
+    const auto got = field.at(x);
+    for (int i = 0; i < 25; ++i) {
+      CAPTURE(i);
+      for (int c = 0; c < 3; ++c)
+        CHECK(std::abs(static_cast<double>(got[i][c]) - expected[i][c]) < 1e-4 * expected[0][c]);
+    }
+  }
 }
 
 TEST_CASE("lanterns: as many as asked for, as bright whatever their number, clear of the hall") {

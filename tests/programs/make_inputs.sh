@@ -13,3 +13,8 @@ mkfifo pipe
 "$program" --quiet --scene box.obj --lights 1 --size 12x16 --out other_size.exr
 head -c 600 reference.exr >truncated.exr
 "$program" --quiet --scene box.obj --lights 1 --size 16x12 --exposure -30 --out black.png
+[ "$(basename "$program")" != grid-render ] && exit
+grid() { "$program" --quiet --lights 4 --grid 3 --size 16x12 --out grid.png "$@"; }
+grid --scene box.obj --save-grid box.grid
+grid --scene triangle.obj --save-grid triangle.grid
+head -c 2000 box.grid >truncated.grid

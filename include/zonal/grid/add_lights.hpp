@@ -21,22 +21,22 @@ namespace detail {
 inline constexpr int lights_at_once = 4;
 using LightLanes = Packet<float, lights_at_once * kNativeLanes>;
 
-// The light whose numbers are LightLanes.
-template <class Light>
+// The light whose numbers are packets.
+template <class Light, class Lanes>
 struct WideLightOf;
-template <template <class> class Light>
-struct WideLightOf<Light<float>> {
-  using Type = Light<LightLanes>;
+template <template <class> class Light, class Lanes>
+struct WideLightOf<Light<float>, Lanes> {
+  using Type = Light<Lanes>;
 };
-template <template <int, class> class Light, int N>
-struct WideLightOf<Light<N, float>> {
-  using Type = Light<N, LightLanes>;
+template <template <int, class> class Light, int N, class Lanes>
+struct WideLightOf<Light<N, float>, Lanes> {
+  using Type = Light<N, Lanes>;
 };
 
 // Four lights as one. A light is its numbers, one after the other; each has a block of lanes for each of the four.
 template <class Light>
-typename WideLightOf<Light>::Type side_by_side(const std::array<Light, lights_at_once>& lights) {
-  using Wide = typename WideLightOf<Light>::Type;
+typename WideLightOf<Light, LightLanes>::Type side_by_side(const std::array<Light, lights_at_once>& lights) {
+  using Wide = typename WideLightOf<Light, LightLanes>::Type;
   constexpr std::size_t size = sizeof(Light) / sizeof(float);
   static_assert(std::is_trivially_copyable_v<Light> && std::is_trivially_copyable_v<Wide>);
   static_assert(sizeof(Wide) == size * sizeof(LightLanes), "a light holds numbers of its scalar, and nothing else");

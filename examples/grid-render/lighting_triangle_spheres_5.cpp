@@ -1,0 +1,3 @@
+#include "lighting_bands.hpp"
+
+template class example::grid_render::LightingOf<5, example::grid_render::TriangleSphere>;

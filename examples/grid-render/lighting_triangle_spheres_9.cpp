@@ -1,0 +1,3 @@
+#include "lighting_bands.hpp"
+
+template class example::grid_render::LightingOf<9, example::grid_render::TriangleSphere>;

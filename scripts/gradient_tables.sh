@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# The gradient paper's tables with what this machine makes of them, as Markdown on standard output; installs and builds
+# what it needs. Progress goes to standard error.
+#   gradient_tables.sh [--full]
+# About three minutes on two cores. --full renders 1920x1080, and Table 4 at the same size.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
+
+size=640x512 shapes_size=320x256  # Table 4 has no times, and exact triangles are slow
+case "${1-}" in
+  "") ;;
+  --full) size=1920x1080 shapes_size=1920x1080 ;;
+  *) zonal_fail "usage: gradient_tables.sh [--full]" ;;
+esac
+
+{
+  zonal_setup ZONAL_REQUIRE_TESTS catch2 libbenchmark-dev python3
+  zonal_say "building zonal-bench and grid-render ($zonal_jobs at a time)"
+  cmake --build "$zonal_build" --target zonal-bench grid-render -j "$zonal_jobs"
+} >&2
+
+folder="$(mktemp -d)"
+trap 'rm -rf "$folder"' EXIT
+print_tables="$zonal_root/scripts/gradient_tables.py"
+
+# report <name> <argument>...: grid-render's JSON
+report() {
+  zonal_say "rendering $1" >&2
+  "$zonal_build/examples/grid-render/grid-render" --quiet --antialias 1 --report "$folder/$1.json" "${@:2}"
+}
+
+zonal_say "running zonal-bench" >&2
+printf '```\n'
+"$zonal_build/bench/zonal-bench" --table '--benchmark_filter=^(polynomial|sloan-like|direct|gradient|grid)' |
+  sed -n '1p; /^Gradient paper, Table 1/,$ p'
+printf '```\n\n'
+
+python3 "$print_tables" picture "$folder/waves.ppm"
+for lights in 1793 578 512 242 800 722; do
+  report "lights_$lights" --size "$size" --lights "$lights" --compare "$folder/out"
+done
+for texels in 60:900 100:2500; do
+  report "lights_${texels#*:}" --size "$size" --texture "$folder/waves.ppm" --texture-size "${texels%:*}" \
+    --compare "$folder/out"
+done
+python3 "$print_tables" table_3 "$folder"
+
+for lights in 288 512 800 722; do
+  report "shapes_$lights" --size "$shapes_size" --lights "$lights" --compare-shapes "$folder/out"
+done
+python3 "$print_tables" table_4 "$folder"
+
+for bands in 5 7 9; do
+  report "bands_$bands" --size "$size" --lights 512 --bands "$bands" --compare "$folder/out"
+done
+python3 "$print_tables" table_5 "$folder"

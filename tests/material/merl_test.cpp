@@ -282,6 +282,33 @@ TEST_CASE("merl: thousands of files that are none are errors") {
   }
 }
 
+TEST_CASE("merl: a whole file with random bytes in it is an error, or a material that can be asked for its values") {
+  const Folder folder;
+  const fs::path path = folder.path / "a.binary";
+  write(path, merl_bytes([](const glm::dvec3&, const glm::dvec3&) { return glm::dvec3(0.3); }));
+  std::mt19937 random(16);
+  int errors = 0;
+  for (int i = 0; i < 24; ++i) {
+    std::string noise(8 + random() % 2000, '\0');
+    for (char& byte : noise) byte = char(random());
+    patch(path, header_size + 8 * (random() % (3 * bins - 300)), noise.substr(0, i % 2 == 0 ? 3 : noise.size()));
+    CAPTURE(i);
+    try {
+      const zonal::MerlBrdf brdf = zonal::load_merl(path);
+      Random directions_of(17);
+      for (int k = 0; k < 2000; ++k) {
+        const glm::dvec3 f = brdf(glm::dvec3(directions_of.direction()), glm::dvec3(directions_of.direction()));
+        for (int c = 0; c < 3; ++c) REQUIRE((std::isfinite(f[c]) && f[c] >= 0.0));
+      }
+    } catch (const zonal::FileError& error) {
+      ++errors;
+      REQUIRE(contains(error.what(), "is damaged: sample "));
+      write(path, merl_bytes([](const glm::dvec3&, const glm::dvec3&) { return glm::dvec3(0.3); }));
+    }
+  }
+  CHECK((errors > 0 && errors < 24));
+}
+
 TEST_CASE("merl: real files, of the folder ZONAL_DATA/merl where there is one") {
   const char* data = std::getenv("ZONAL_DATA");
   const fs::path folder = fs::path(data == nullptr ? "" : data) / "merl";

@@ -3,7 +3,7 @@
 // An isotropic material depends on the angle theta_o between the normal and the eye only: [1] Eq. 18 stores
 // its coefficients at 90 angles, one degree apart. Here they are half as many, because in the frame where wo
 // has phi = 0 the material is even in phi; and between two angles they are interpolated. Anisotropic
-// materials need a second angle, and another table.
+// materials need a second angle, and another table: anisotropic_table.hpp.
 //
 // [1] Mezieres et al., Harmonics Virtual Lights, CGF 41(6), 2022, section 4.2.
 #pragma once

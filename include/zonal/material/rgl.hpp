@@ -220,7 +220,9 @@ class RglBrdf {
   int symmetry() const { return symmetry_; }
 
   /// The BRDF, RGB in 1/sr, for unit vectors in the local frame; zero when either has z <= 0. As what is tabulated is f
-  /// times the cosine of wi, that cosine is held at 1e-4 where it is less.
+  /// times the cosine of wi, that cosine is held at 1e-4 where it is less. Greatest error against the function a file
+  /// was written from, relative to its largest value, directions within 60 degrees of the normal: GGX of roughness 0.2
+  /// and 0.5, vndf of 64 * 64, rgb of 48 * 48, 12 angles, 2e-2; at one of the file's own angles, roughness 0.3, 1e-3.
   glm::dvec3 operator()(glm::dvec3 wi, glm::dvec3 wo) const {
     if (!detail::above_horizon(wi, wo)) return glm::dvec3(0.0);
     to_measured_part(wi, wo);

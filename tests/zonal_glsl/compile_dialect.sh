@@ -35,14 +35,19 @@ for bands in 1 2 5 10; do
       glslangValidator -D -V -S comp -e main shader.hlsl -o shader.spv
       ;;
     wgsl)
-      # No Debian package has a compiler of WGSL; naga (cargo) or tint is used where there is one.
+      # No Debian package has a compiler of WGSL: naga (cargo) or tint where there is one, else naga from npm.
       if command -v naga >/dev/null; then
         cp functions shader.wgsl
         naga shader.wgsl
       elif command -v tint >/dev/null; then
         tint --format wgsl functions >/dev/null
+      elif command -v npm >/dev/null && { [ -d node_modules ] || npm install --silent naga-wasm@30 >/dev/null 2>&1; }; then
+        node --input-type=module -e '
+          import { readFileSync } from "fs";
+          import { parseWgsl, validate } from "naga-wasm";
+          validate(parseWgsl(readFileSync("functions", "utf8")));'
       else
-        echo "skipped: no naga and no tint, which are in no Debian package"
+        echo "skipped: neither naga nor tint, nor npm and its naga-wasm"
         exit 77
       fi
       ;;

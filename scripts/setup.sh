@@ -1,4 +1,4 @@
-# Sourced by demo.sh and test.sh: installs what is missing, and configures build/release.
+# Sourced by demo.sh, test.sh and benchmarks.sh: installs what is missing, and configures build/release.
 #   zonal_setup <ZONAL_REQUIRE_...> <package>...
 #   zonal_jobs, a number: how many compilations may run at once
 # Works on Debian 12 and its like; a second run finds all in place and does nothing.
@@ -8,6 +8,11 @@ zonal_build="$zonal_root/build/release"
 zonal_packages=(
   g++ cmake ninja-build libeigen3-dev libglm-dev libembree-dev libtbb-dev libcli11-dev nlohmann-json3-dev
   libtinyobjloader-dev libstb-dev libopenexr-dev
+)
+# For tests and benchmarks; the second line is for shaders: a driver, and compilers.
+zonal_test_packages=(
+  catch2 libbenchmark-dev clang
+  libegl1 libgl1-mesa-dri libegl-dev libgl-dev glslang-tools spirv-tools
 )
 
 zonal_say() { printf '[zonal] %s\n' "$*"; }

@@ -3,8 +3,7 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-zonal_setup ZONAL_REQUIRE_TESTS catch2 libbenchmark-dev clang \
-  libegl1 libgl1-mesa-dri libegl-dev libgl-dev glslang-tools spirv-tools  # shaders: a driver, and compilers
+zonal_setup ZONAL_REQUIRE_TESTS "${zonal_test_packages[@]}"
 zonal_say "building ($zonal_jobs at a time)"
 cmake --build "$zonal_build" -j "$zonal_jobs"
 zonal_say "testing"

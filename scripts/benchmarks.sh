@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# The gradient paper's tables with what this machine makes of them, as Markdown on standard output; installs and builds
-# what it needs. Progress goes to standard error.
-#   gradient_tables.sh [--full]
-# About three minutes on two cores. --full renders 1920x1080, and Table 4 at the same size.
+# The papers' tables with what this machine makes of them, as Markdown on standard output: docs/benchmarks.md. Installs
+# and builds what it needs; progress goes to standard error.
+#   benchmarks.sh [--full]
+# About three minutes on two cores with nothing else to do. --full renders 1920x1080, and Table 4 at the same size.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
@@ -10,18 +10,18 @@ size=640x512 shapes_size=320x256  # Table 4 has no times, and exact triangles ar
 case "${1-}" in
   "") ;;
   --full) size=1920x1080 shapes_size=1920x1080 ;;
-  *) zonal_fail "usage: gradient_tables.sh [--full]" ;;
+  *) zonal_fail "usage: benchmarks.sh [--full]" ;;
 esac
 
 {
-  zonal_setup ZONAL_REQUIRE_TESTS catch2 libbenchmark-dev python3
+  zonal_setup ZONAL_REQUIRE_TESTS "${zonal_test_packages[@]}" python3
   zonal_say "building zonal-bench and grid-render ($zonal_jobs at a time)"
   cmake --build "$zonal_build" --target zonal-bench grid-render -j "$zonal_jobs"
 } >&2
 
 folder="$(mktemp -d)"
 trap 'rm -rf "$folder"' EXIT
-print_tables="$zonal_root/scripts/gradient_tables.py"
+print_tables="$zonal_root/scripts/benchmark_tables.py"
 
 # report <name> <argument>...: grid-render's JSON
 report() {
@@ -29,10 +29,16 @@ report() {
   "$zonal_build/examples/grid-render/grid-render" --quiet --antialias 1 --report "$folder/$1.json" "${@:2}"
 }
 
+cat <<TEXT
+# Benchmarks
+
+Written by \`scripts/benchmarks.sh\`$([ "$size" = 640x512 ] || echo ' --full'). Where two numbers stand side by side, the left
+one is what the paper prints.
+
+TEXT
 zonal_say "running zonal-bench" >&2
 printf '```\n'
-"$zonal_build/bench/zonal-bench" --table '--benchmark_filter=^(polynomial|sloan-like|direct|gradient|grid)' |
-  sed -n '1p; /^Gradient paper, Table 1/,$ p'
+"$zonal_build/bench/zonal-bench" --table
 printf '```\n\n'
 
 python3 "$print_tables" picture "$folder/waves.ppm"

@@ -1,7 +1,7 @@
-"""The gradient paper's Tables 3, 4 and 5 in its layout, its figures beside those of grid-render; see gradient_tables.sh.
+"""The gradient paper's Tables 3, 4 and 5 in its layout, its figures beside those of grid-render; see benchmarks.sh.
 
-    gradient_tables.py picture FILE.ppm             a picture for the textured panels, no texel of it black
-    gradient_tables.py table_3|table_4|table_5 FOLDER    of the reports in it
+    benchmark_tables.py picture FILE.ppm             a picture for the textured panels, no texel of it black
+    benchmark_tables.py table_3|table_4|table_5 FOLDER    of the reports in it
 """
 import json
 import math

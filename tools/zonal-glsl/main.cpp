@@ -44,7 +44,7 @@ void add_options(CLI::App& app, Options& options) {
       ->delimiter(',');
   app.add_option("--bands", options.bands, "Bands, 1 to 10")->capture_default_str();
   app.add_option("--dialect", options.dialect, "One of " + dialect_names())->capture_default_str();
-  app.add_option("-o,--output", options.output, "The file to write; standard output if none");
+  app.add_option("-o,--output", options.output, "The file to write; standard output if none, or -");
   app.add_flag("--temporaries", options.temporaries, "A temporary for every operation");
   app.add_flag("--count", options.count, "Print the operations of each function instead");
   app.add_flag("--list", options.list, "Print the names of all functions");
@@ -89,7 +89,7 @@ void run(Options& options) {
   options.request.text.compound = !options.temporaries;
   const std::string text =
       options.count ? operation_table(options.request, *dialect) : shader_file(options.request, *dialect);
-  if (options.output.empty()) {
+  if (options.output.empty() || options.output == "-") {
     std::fputs(text.c_str(), stdout);
   } else {
     write_file(options.output, text);

@@ -27,7 +27,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "../scalar/checked_file.hpp"
+#include "../file/checked_file.hpp"
 #include "coefficient_grid.hpp"
 
 namespace zonal {

@@ -34,7 +34,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include "../scalar/checked_file.hpp"
+#include "../file/checked_file.hpp"
 #include "../scalar/constexpr_math.hpp"
 #include "brdf.hpp"
 

@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-#include "../scalar/checked_file.hpp"
+#include "../file/checked_file.hpp"
 
 namespace zonal {
 

@@ -5,9 +5,9 @@
 // either direction is at or below the horizon. Only isotropic models live here: f depends on the azimuths
 // through their difference.
 //
-// Each kernel is a template on its scalar T (float, double, long double); the parameters of a model are
-// floats, and are widened, so that a projection done in double is limited by the model and not by its
-// evaluation.
+// Each kernel is a template on its scalar T (float, double, long double, or a packet of them); the parameters of
+// a model are floats, and are widened, so that a projection done in double is limited by the model and not by its
+// evaluation. What has no packet form, Phong and measured materials, is evaluated lane by lane.
 //
 // [1] B. Walter, S. Marschner, H. Li, K. Torrance, "Microfacet Models for Refraction through Rough Surfaces",
 //     EGSR 2007.
@@ -21,13 +21,15 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <glm/geometric.hpp>
+#include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <variant>
 #include <vector>
 
 #include "../scalar/constexpr_math.hpp"
+#include "../scalar/scalar.hpp"
 
 namespace zonal {
 
@@ -70,7 +72,18 @@ struct GgxBrdf {
   Fresnel fresnel;
 };
 
-using BrdfLobe = std::variant<LambertBrdf, PhongBrdf, GgxBrdf>;
+/// An isotropic BRDF in 1/sr, as any function of (wi, wo) that is zero at and below the horizon.
+using BrdfFunction = std::function<glm::dvec3(const glm::dvec3&, const glm::dvec3&)>;
+
+/// A measured material; measured.hpp makes it. The function is the material; beside it stand a diffuse and a GGX lobe
+/// of about its size, to choose directions by, and for virtual lights that are Gaussians.
+struct MeasuredBrdf {
+  std::shared_ptr<const BrdfFunction> function;
+  glm::vec3 diffuse_albedo, specular_albedo;
+  float roughness;
+};
+
+using BrdfLobe = std::variant<LambertBrdf, PhongBrdf, GgxBrdf, MeasuredBrdf>;
 
 /// A material: the sum of its lobes. Nothing checks that the sum conserves energy.
 struct Brdf {
@@ -79,9 +92,29 @@ struct Brdf {
 
 namespace detail {
 
+/// The mask of lanes where both directions are above the horizon.
 template <class T>
-bool above_horizon(const glm::vec<3, T>& wi, const glm::vec<3, T>& wo) {
-  return wi.z > T(0) && wo.z > T(0);
+ZONAL_INLINE inline mask_t<T> above_horizon(const glm::vec<3, T>& wi, const glm::vec<3, T>& wo) {
+  return min(wi.z, wo.z) > T(0);
+}
+
+/// rgb where the mask holds, black elsewhere.
+template <class T>
+ZONAL_INLINE inline glm::vec<3, T> or_black(const mask_t<T>& mask, const glm::vec<3, T>& rgb) {
+  return {select(mask, rgb.x, T(0)), select(mask, rgb.y, T(0)), select(mask, rgb.z, T(0))};
+}
+
+/// f(wi, wo), an RGB value of built-in scalars, at every lane of a packet.
+template <class T, class F>
+glm::vec<3, T> by_lanes(const glm::vec<3, T>& wi, const glm::vec<3, T>& wo, const F& f) {
+  using Direction = glm::vec<3, lane_t<T>>;
+  glm::vec<3, T> result;
+  for (int lane = 0; lane < T::width; ++lane) {
+    const Direction i(wi.x[lane], wi.y[lane], wi.z[lane]), o(wo.x[lane], wo.y[lane], wo.z[lane]);
+    const Direction value = f(i, o);
+    for (int c = 0; c < 3; ++c) result[c].set(lane, value[c]);
+  }
+  return result;
 }
 
 /// cos^n of the angle between wi and the mirror direction of wo, zero beyond a right angle.
@@ -90,7 +123,8 @@ bool above_horizon(const glm::vec<3, T>& wi, const glm::vec<3, T>& wo) {
 template <class T>
 T phong_lobe(const glm::vec<3, T>& wi, const glm::vec<3, T>& wo, T exponent) {
   const glm::vec<3, T> from_mirror(wi.x + wo.x, wi.y + wo.y, wi.z - wo.z);
-  const T one_minus_cos = T(0.5) * glm::dot(from_mirror, from_mirror);
+  const T one_minus_cos =
+      T(0.5) * (from_mirror.x * from_mirror.x + from_mirror.y * from_mirror.y + from_mirror.z * from_mirror.z);
   return one_minus_cos < T(1) ? std::exp(exponent * std::log1p(-one_minus_cos)) : T(0);
 }
 
@@ -103,33 +137,34 @@ struct HalfVector {
 };
 
 template <class T>
-HalfVector<T> half_vector(const glm::vec<3, T>& wi, const glm::vec<3, T>& wo) {
+ZONAL_INLINE inline HalfVector<T> half_vector(const glm::vec<3, T>& wi, const glm::vec<3, T>& wo) {
   const glm::vec<3, T> h = wi + wo;
-  const T scale = std::max({std::abs(h.x), std::abs(h.y), h.z});  // no underflow between two grazing directions
-  const glm::vec<3, T> s = h / scale;
-  const T squared_length = glm::dot(s, s);
-  return {scale * scale * squared_length, (s.x * s.x + s.y * s.y) / squared_length, s.z * s.z / squared_length};
+  const T scale = max(max(abs(h.x), abs(h.y)), h.z);  // no underflow between two grazing directions
+  const glm::vec<3, T> s = h * (T(1) / scale);
+  const T across = s.x * s.x + s.y * s.y, along = s.z * s.z;
+  const T inverse = T(1) / (across + along);
+  return {scale * scale * (across + along), across * inverse, along * inverse};
 }
 
 /// D of [1] Eq. 33, in 1/sr: alpha^2 / (pi (cos^2 (alpha^2 - 1) + 1)^2), without its cancellation.
 template <class T>
-T ggx_distribution(const HalfVector<T>& h, T alpha) {
+ZONAL_INLINE inline T ggx_distribution(const HalfVector<T>& h, T alpha) {
   const T width = h.squared_sine / alpha + alpha * h.squared_cosine;
   return T(1) / (T(kPi) * width * width);
 }
 
 /// cos sqrt(1 + alpha^2 tan^2): Smith's Lambda of [2] Eq. 72 is (this / cos - 1) / 2. Finite at the horizon.
 template <class T>
-T ggx_projected_length(T cos_angle, T alpha) {
-  return std::sqrt(alpha * alpha * (T(1) - cos_angle * cos_angle) + cos_angle * cos_angle);
+ZONAL_INLINE inline T ggx_projected_length(T cos_angle, T alpha) {
+  return sqrt(alpha * alpha * (T(1) - cos_angle * cos_angle) + cos_angle * cos_angle);
 }
 
 /// G2(wi, wo) / (4 cos_i cos_o) with the height-correlated G2 of [2] Eq. 99; the cosines cancel. The true
 /// value diverges when both directions graze; it is held at 5e16, which only cosines below 1e-15 can reach.
 template <class T>
-T ggx_visibility(T cos_i, T cos_o, T alpha) {
+ZONAL_INLINE inline T ggx_visibility(T cos_i, T cos_o, T alpha) {
   const T sum = cos_o * ggx_projected_length(cos_i, alpha) + cos_i * ggx_projected_length(cos_o, alpha);
-  return T(0.5) / std::max(sum, T(1e-17));
+  return T(0.5) / max(sum, T(1e-17));
 }
 
 /// Unpolarised Fresnel reflectance of a half space of index eta + i k, [4] section 1.5.2 carried to a complex
@@ -137,14 +172,14 @@ T ggx_visibility(T cos_i, T cos_o, T alpha) {
 /// cancellation but the physical ones (index 1, Brewster's angle). k = 0 gives a dielectric, total internal
 /// reflection included.
 template <class T>
-T fresnel_reflectance(T cos_angle, T eta, T k) {
-  const T c = std::clamp(cos_angle, T(1e-6), T(1));  // index 1 at grazing incidence would be 0 / 0
+ZONAL_INLINE inline T fresnel_reflectance(T cos_angle, T eta, T k) {
+  const T c = clamp(cos_angle, T(1e-6), T(1));  // index 1 at grazing incidence would be 0 / 0
   const T squared_sine = (T(1) - c) * (T(1) + c);
   const T real = (eta - k) * (eta + k) - squared_sine;
-  const T modulus = std::sqrt(real * real + T(4) * eta * eta * k * k);
-  const T a = std::sqrt(std::max(T(0.5) * (modulus + real), T(0)));
-  const T b2 = std::max(T(0.5) * (modulus - real), T(0));
-  const auto square = [](T x) { return x * x; };
+  const T modulus = sqrt(real * real + T(4) * eta * eta * k * k);
+  const T a = sqrt(max(T(0.5) * (modulus + real), T(0)));
+  const T b2 = max(T(0.5) * (modulus - real), T(0));
+  const auto square = [](const T& x) ZONAL_INLINE { return x * x; };
   const T s_polarised = (square(a - c) + b2) / (square(a + c) + b2);
   const T p_over_s = (square(a * c - squared_sine) + b2 * c * c) / (square(a * c + squared_sine) + b2 * c * c);
   return T(0.5) * s_polarised * (T(1) + p_over_s);
@@ -169,8 +204,8 @@ glm::vec<3, T> reflectance(const DielectricFresnel& fresnel, T cos_angle) {
 template <class T>
 glm::vec<3, T> reflectance(const SchlickFresnel& fresnel, T cos_angle) {
   const glm::vec<3, T> f0(fresnel.f0);
-  const T x = T(1) - std::clamp(cos_angle, T(0), T(1));
-  return f0 + (T(1) - f0) * (x * x * x * x * x);
+  const T x = T(1) - clamp(cos_angle, T(0), T(1));
+  return f0 + (glm::vec<3, T>(T(1)) - f0) * (x * x * x * x * x);
 }
 
 template <class T>
@@ -181,28 +216,40 @@ glm::vec<3, T> reflectance(const Fresnel& fresnel, T cos_angle) {
 /// The BRDF, RGB in 1/sr. wi, wo: unit vectors in the local frame; zero when either has z <= 0.
 template <class T>
 glm::vec<3, T> evaluate(const LambertBrdf& brdf, const glm::vec<3, T>& wi, const glm::vec<3, T>& wo) {
-  if (!detail::above_horizon(wi, wo)) return glm::vec<3, T>(T(0));
-  return glm::vec<3, T>(brdf.albedo) / T(kPi);
+  return detail::or_black<T>(detail::above_horizon(wi, wo), glm::vec<3, T>(brdf.albedo) * T(1 / kPi));
 }
 
 template <class T>
 glm::vec<3, T> evaluate(const PhongBrdf& brdf, const glm::vec<3, T>& wi, const glm::vec<3, T>& wo) {
-  if (!detail::above_horizon(wi, wo)) return glm::vec<3, T>(T(0));
-  const T exponent = T(brdf.exponent);
-  const T normalisation = (exponent + T(2)) / (T(2) * T(kPi));  // [3]
-  return glm::vec<3, T>(brdf.specular_albedo) * (normalisation * detail::phong_lobe(wi, wo, exponent));
+  if constexpr (is_builtin_scalar_v<T>) {
+    if (!detail::above_horizon(wi, wo)) return glm::vec<3, T>(T(0));
+    const T exponent = T(brdf.exponent);
+    const T normalisation = (exponent + T(2)) / (T(2) * T(kPi));  // [3]
+    return glm::vec<3, T>(brdf.specular_albedo) * (normalisation * detail::phong_lobe(wi, wo, exponent));
+  } else {
+    return detail::by_lanes(wi, wo, [&](const auto& i, const auto& o) { return evaluate(brdf, i, o); });
+  }
 }
 
 /// [1] Eq. 20 with the height-correlated G2 of [2] Eq. 99.
 template <class T>
 glm::vec<3, T> evaluate(const GgxBrdf& brdf, const glm::vec<3, T>& wi, const glm::vec<3, T>& wo) {
-  if (!detail::above_horizon(wi, wo)) return glm::vec<3, T>(T(0));
   assert(brdf.roughness > 0.0F && brdf.roughness <= 1.0F);
   const T alpha = T(brdf.roughness);
   const auto h = detail::half_vector(wi, wo);
-  const T cos_difference = T(0.5) * std::sqrt(h.squared_length);  // wi . h = |wi + wo| / 2 for unit vectors
-  return reflectance(brdf.fresnel, cos_difference) *
-         (detail::ggx_distribution(h, alpha) * detail::ggx_visibility(wi.z, wo.z, alpha));
+  const T cos_difference = T(0.5) * sqrt(h.squared_length);  // wi . h = |wi + wo| / 2 for unit vectors
+  const glm::vec<3, T> value = reflectance(brdf.fresnel, cos_difference) *
+                               (detail::ggx_distribution(h, alpha) * detail::ggx_visibility(wi.z, wo.z, alpha));
+  return detail::or_black<T>(detail::above_horizon(wi, wo), value);
+}
+
+template <class T>
+glm::vec<3, T> evaluate(const MeasuredBrdf& brdf, const glm::vec<3, T>& wi, const glm::vec<3, T>& wo) {
+  if constexpr (is_builtin_scalar_v<T>) {
+    return glm::vec<3, T>((*brdf.function)(glm::dvec3(wi), glm::dvec3(wo)));
+  } else {
+    return detail::by_lanes(wi, wo, [&](const auto& i, const auto& o) { return evaluate(brdf, i, o); });
+  }
 }
 
 template <class T>
@@ -213,7 +260,7 @@ glm::vec<3, T> evaluate(const BrdfLobe& lobe, const glm::vec<3, T>& wi, const gl
 template <class T>
 glm::vec<3, T> evaluate(const Brdf& brdf, const glm::vec<3, T>& wi, const glm::vec<3, T>& wo) {
   glm::vec<3, T> sum(T(0));
-  for (const BrdfLobe& lobe : brdf.lobes) sum += evaluate(lobe, wi, wo);
+  for (const BrdfLobe& lobe : brdf.lobes) sum = sum + evaluate(lobe, wi, wo);
   return sum;
 }
 

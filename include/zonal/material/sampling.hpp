@@ -9,6 +9,9 @@
 //     Graphics Tools 16(3), 2012.
 #pragma once
 
+#include <algorithm>
+#include <glm/geometric.hpp>
+
 #include "brdf.hpp"
 
 namespace zonal {
@@ -32,6 +35,9 @@ inline float approximate_albedo(const PhongBrdf& brdf, const glm::vec3&) { retur
 inline float approximate_albedo(const GgxBrdf& brdf, const glm::vec3& wo) {
   return mean(reflectance(brdf.fresnel, wo.z));
 }
+inline float approximate_albedo(const MeasuredBrdf& brdf, const glm::vec3&) {
+  return mean(brdf.diffuse_albedo) + mean(brdf.specular_albedo);
+}
 inline float approximate_albedo(const BrdfLobe& lobe, const glm::vec3& wo) {
   return std::visit([&](const auto& model) { return approximate_albedo(model, wo); }, lobe);
 }
@@ -42,7 +48,10 @@ inline glm::vec3 sample_lobe(const LambertBrdf&, const glm::vec3&, const glm::ve
   return {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(1.0F - u.x)};
 }
 
-inline float lobe_pdf(const LambertBrdf&, const glm::vec3& wi, const glm::vec3&) { return wi.z / float(kPi); }
+template <class T>
+ZONAL_INLINE inline T lobe_pdf(const LambertBrdf&, const glm::vec<3, T>& wi, const glm::vec3&) {
+  return wi.z * T(1 / kPi);
+}
 
 /// v, given in a frame whose z axis is `axis`, in the frame of `axis` [3]. axis.z >= 0 keeps clear of the
 /// pole.
@@ -62,8 +71,14 @@ inline glm::vec3 sample_lobe(const PhongBrdf& brdf, const glm::vec3& wo, const g
   return rotate_z_to(mirror, {sine * std::cos(phi), sine * std::sin(phi), 1.0F - one_minus_cos});
 }
 
-inline float lobe_pdf(const PhongBrdf& brdf, const glm::vec3& wi, const glm::vec3& wo) {
-  return (brdf.exponent + 1.0F) / (2.0F * float(kPi)) * phong_lobe(wi, wo, brdf.exponent);
+template <class T>
+T lobe_pdf(const PhongBrdf& brdf, const glm::vec<3, T>& wi, const glm::vec3& wo) {
+  if constexpr (is_builtin_scalar_v<T>) {
+    return (T(brdf.exponent) + T(1)) / (T(2) * T(kPi)) * phong_lobe(wi, glm::vec<3, T>(wo), T(brdf.exponent));
+  } else {
+    const auto pdf = [&](const auto& i, const auto& o) { return glm::vec<3, lane_t<T>>(lobe_pdf(brdf, i, o)); };
+    return by_lanes(wi, glm::vec<3, T>(wo), pdf).x;
+  }
 }
 
 /// A normal of the microfacets seen from wo, [1] appendix A.
@@ -87,16 +102,42 @@ inline glm::vec3 sample_lobe(const GgxBrdf& brdf, const glm::vec3& wo, const glm
 }
 
 /// [1] Eq. 17, G1 D / (4 cos_o), with cos_o cancelled.
-inline float lobe_pdf(const GgxBrdf& brdf, const glm::vec3& wi, const glm::vec3& wo) {
-  const float distribution = ggx_distribution(half_vector(wi, wo), brdf.roughness);
-  return 0.5F * distribution / (wo.z + ggx_projected_length(wo.z, brdf.roughness));
+template <class T>
+ZONAL_INLINE inline T lobe_pdf(const GgxBrdf& brdf, const glm::vec<3, T>& wi, const glm::vec3& wo) {
+  const T distribution = ggx_distribution(half_vector(wi, glm::vec<3, T>(wo)), T(brdf.roughness));
+  return distribution * T(0.5F / (wo.z + ggx_projected_length(wo.z, brdf.roughness)));
+}
+
+/// The diffuse and the GGX lobe that stand beside a measured material, in proportion to their albedos.
+struct MeasuredProposal {
+  float diffuse_share;
+  GgxBrdf specular;
+
+  explicit MeasuredProposal(const MeasuredBrdf& brdf)
+      : diffuse_share(mean(brdf.diffuse_albedo) / (mean(brdf.diffuse_albedo) + mean(brdf.specular_albedo))),
+        specular{brdf.roughness, SchlickFresnel{glm::vec3(1.0F)}} {}
+};
+
+inline glm::vec3 sample_lobe(const MeasuredBrdf& brdf, const glm::vec3& wo, const glm::vec2& u) {
+  const MeasuredProposal proposal(brdf);
+  const float share = proposal.diffuse_share;
+  if (u.x < share) return sample_lobe(LambertBrdf{}, wo, {u.x / share, u.y});
+  return sample_lobe(proposal.specular, wo, {std::min((u.x - share) / (1.0F - share), 0x1.fffffep-1F), u.y});
+}
+
+template <class T>
+ZONAL_INLINE inline T lobe_pdf(const MeasuredBrdf& brdf, const glm::vec<3, T>& wi, const glm::vec3& wo) {
+  const MeasuredProposal proposal(brdf);
+  const T share = T(proposal.diffuse_share);
+  return share * lobe_pdf(LambertBrdf{}, wi, wo) + (T(1) - share) * lobe_pdf(proposal.specular, wi, wo);
 }
 
 inline glm::vec3 sample_lobe(const BrdfLobe& lobe, const glm::vec3& wo, const glm::vec2& u) {
   return std::visit([&](const auto& model) { return sample_lobe(model, wo, u); }, lobe);
 }
 
-inline float lobe_pdf(const BrdfLobe& lobe, const glm::vec3& wi, const glm::vec3& wo) {
+template <class T>
+ZONAL_INLINE inline T lobe_pdf(const BrdfLobe& lobe, const glm::vec<3, T>& wi, const glm::vec3& wo) {
   return std::visit([&](const auto& model) { return lobe_pdf(model, wi, wo); }, lobe);
 }
 
@@ -119,17 +160,20 @@ inline const BrdfLobe* choose_lobe(const Brdf& brdf, const glm::vec3& wo, float 
 }  // namespace detail
 
 /// The density, in 1/sr, with which sample(brdf, wo, ...) returns wi: the lobes' densities weighted by their
-/// albedos. Zero at or below the horizon; so it integrates to one minus the probability of no sample.
-inline float pdf(const Brdf& brdf, const glm::vec3& wi, const glm::vec3& wo) {
-  if (!detail::above_horizon(wi, wo)) return 0.0F;
-  float sum = 0.0F, total = 0.0F;
+/// albedos. Zero at or below the horizon; so it integrates to one minus the probability of no sample. T is float, or a
+/// packet of directions wi.
+template <class T>
+T pdf(const Brdf& brdf, const glm::vec<3, T>& wi, const glm::vec3& wo) {
+  T sum = T(0);
+  float total = 0.0F;
   for (const BrdfLobe& lobe : brdf.lobes) {
     const float weight = detail::approximate_albedo(lobe, wo);
     if (weight <= 0.0F) continue;
-    sum += weight * detail::lobe_pdf(lobe, wi, wo);
+    sum = sum + T(weight) * detail::lobe_pdf(lobe, wi, wo);
     total += weight;
   }
-  return total > 0.0F ? sum / total : 0.0F;
+  if (total <= 0.0F) return T(0);
+  return select(detail::above_horizon(wi, glm::vec<3, T>(wo)), sum * T(1.0F / total), T(0));
 }
 
 /// A random direction towards the light. u_lobe in [0, 1) chooses the lobe, in proportion to its approximate

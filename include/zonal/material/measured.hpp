@@ -1,0 +1,96 @@
+// Measured materials, or any other isotropic function, as a lobe among the models of brdf.hpp.
+//
+//   zonal::Brdf material{{zonal::measured(zonal::load_merl("gold-metallic-paint.binary"))}};
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "even_part.hpp"
+#include "sampling.hpp"
+
+namespace zonal {
+
+namespace detail {
+
+/// A function's value f cos at a node of a quadrature over the hemisphere, and what it takes to weigh densities by it.
+struct MeasuredNode {
+  glm::vec3 wi, wo;
+  glm::dvec3 reflected;  // f cos, 1/sr
+  double solid_angle;    // of the node
+};
+
+/// The midpoint rule over half vectors, whose angle to the normal is (pi/2) s^2: nodes crowd at the mirror direction.
+inline std::vector<MeasuredNode> measured_nodes(const BrdfFunction& brdf) {
+  constexpr int rings = 48, spokes = 24;
+  constexpr double right_angle = 0.5 * double(kPi);
+  std::vector<MeasuredNode> nodes;
+  for (const double degrees : {10.0, 40.0, 70.0}) {
+    const double theta_o = degrees / 90.0 * right_angle;
+    const glm::dvec3 wo(std::sin(theta_o), 0.0, std::cos(theta_o));
+    for (int ring = 0; ring < rings; ++ring) {
+      const double s = (ring + 0.5) / rings, theta = right_angle * s * s, ring_width = 2.0 * right_angle * s / rings;
+      for (int spoke = 0; spoke < spokes; ++spoke) {
+        const double phi = 2.0 * double(kPi) * (spoke + 0.5) / spokes;
+        const glm::dvec3 h(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
+        const double cos_difference = glm::dot(h, wo);
+        const glm::dvec3 wi = 2.0 * cos_difference * h - wo;
+        if (cos_difference <= 0.0 || wi.z <= 0.0) continue;
+        const double solid_angle = 4.0 * cos_difference * std::sin(theta) * ring_width * (2.0 * double(kPi) / spokes);
+        nodes.push_back({glm::vec3(wi), glm::vec3(wo), brdf(wi, wo) * wi.z, solid_angle});
+      }
+    }
+  }
+  return nodes;
+}
+
+/// How badly a mixture of the two lobes samples the nodes: the second moment of the estimate, channels added.
+inline double second_moment(const std::vector<MeasuredNode>& nodes, float diffuse_share, float roughness) {
+  const GgxBrdf specular{roughness, SchlickFresnel{glm::vec3(1.0F)}};
+  double sum = 0.0;
+  for (const MeasuredNode& node : nodes) {
+    const float density = diffuse_share * lobe_pdf(LambertBrdf{}, node.wi, node.wo) +
+                          (1.0F - diffuse_share) * lobe_pdf(specular, node.wi, node.wo);
+    const double value = node.reflected.x + node.reflected.y + node.reflected.z;
+    sum += value * value / double(density) * node.solid_angle;
+  }
+  return sum;
+}
+
+}  // namespace detail
+
+/// Wraps an isotropic BRDF, a callable (glm::dvec3 wi, glm::dvec3 wo) -> glm::dvec3 in 1/sr, as a lobe: its part that
+/// is even in phi, so that all that is made of it, projections and paths, sees one material. The lobes beside it are
+/// those that sample it with the least variance, of 24 roughnesses from 0.02 to 1 and 9 mixtures; takes 0.1 s.
+template <class F>
+MeasuredBrdf measured(F brdf) {
+  const auto even = [brdf = std::move(brdf)](const glm::dvec3& wi, const glm::dvec3& wo) {
+    return even_part(brdf)(wi, wo);
+  };
+  MeasuredBrdf result{std::make_shared<const BrdfFunction>(even), {}, {}, 1.0F};
+  const std::vector<detail::MeasuredNode> nodes = detail::measured_nodes(*result.function);
+  glm::dvec3 albedo(0.0);  // mean over the three outgoing directions
+  for (const detail::MeasuredNode& node : nodes) albedo += node.reflected * node.solid_angle / 3.0;
+
+  float best_share = 1.0F;
+  double least = std::numeric_limits<double>::infinity();
+  for (int r = 0; r < 24; ++r) {
+    const float roughness = std::pow(0.02F, 1.0F - float(r) / 23.0F);
+    for (int s = 1; s < 10; ++s) {
+      const double moment = detail::second_moment(nodes, 0.1F * float(s), roughness);
+      if (!(moment < least)) continue;
+      least = moment;
+      best_share = 0.1F * float(s);
+      result.roughness = roughness;
+    }
+  }
+  result.diffuse_albedo = glm::vec3(albedo) * best_share;
+  result.specular_albedo = glm::vec3(albedo) * (1.0F - best_share);
+  return result;
+}
+
+}  // namespace zonal

@@ -47,13 +47,12 @@ std::vector<zonal::VirtualLight> random_lights(Random& random, std::size_t count
   return lights;
 }
 
-std::vector<zonal::Receiver> random_receivers(Random& random, std::size_t count, const MaterialTable& material) {
+std::vector<zonal::Receiver> random_receivers(Random& random, std::size_t count) {
   std::vector<zonal::Receiver> receivers(count);
   for (auto& receiver : receivers) {
     receiver.position = random_point(random);
     receiver.normal = random_unit_vector(random);
     receiver.outgoing = glm::normalize(receiver.normal + 0.9F * random_unit_vector(random));
-    receiver.material = &material;
   }
   return receivers;
 }
@@ -68,10 +67,10 @@ void run_gather(benchmark::State& state) {
     state.SkipWithError("the cache has left out a light");
     return;
   }
-  const auto receivers = random_receivers(random, 64, material);
+  const auto receivers = random_receivers(random, 64);
   for (auto _ : state) {
     for (const auto& receiver : receivers) {
-      auto radiance = zonal::gather<Kernel::bands, Kernel::emission_bands, Kernel::horizon>(cache, receiver);
+      auto radiance = zonal::gather<Kernel::bands, Kernel::emission_bands, Kernel::horizon>(cache, receiver, material);
       benchmark::DoNotOptimize(radiance);
     }
   }

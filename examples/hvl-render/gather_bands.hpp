@@ -31,7 +31,7 @@ class HvlGatherer final : public Gatherer {
                               const zonal::MaterialTable& material) const override {
     // As in the HVL paper's figures, nothing stands between a virtual light and the receiver. A ray to each
     // light's centre would go here, once the library can leave out lights.
-    return zonal::gather<N, NE, H>(cache_, zonal::Receiver{hit.position, hit.normal, outgoing, &material});
+    return zonal::gather<N, NE, H>(cache_, zonal::Receiver{hit.position, hit.normal, outgoing}, material);
   }
 
  private:

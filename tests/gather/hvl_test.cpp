@@ -6,82 +6,42 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <vector>
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "../catch.hpp"
+#include "support.hpp"
+
+using namespace gather_test;
 
 namespace {
 
 using zonal::Horizon;
 using zonal::VirtualLight;
 
-constexpr double pi = 3.14159265358979323846;
-
-struct Materials {
-  zonal::MaterialTable white = zonal::project_material({{zonal::LambertBrdf{glm::vec3(1)}}}, 21);
-  zonal::MaterialTable red = zonal::project_material({{zonal::LambertBrdf{{0.8F, 0.2F, 0.1F}}}}, 10);
-  zonal::MaterialTable plastic = zonal::project_material(
-      {{zonal::LambertBrdf{{0.3F, 0.5F, 0.2F}}, zonal::GgxBrdf{0.3F, zonal::DielectricFresnel{1.5F}}}}, 10);
-  zonal::MaterialTable metal = zonal::project_material(
-      {{zonal::GgxBrdf{0.4F, zonal::ConductorFresnel{{0.2F, 0.9F, 1.1F}, {3.9F, 2.5F, 2.4F}}}}}, 10);
-  zonal::MaterialTable black = zonal::project_material({{zonal::LambertBrdf{glm::vec3(0)}}}, 10);
+/// A receiver and what it is made of.
+struct Surface : zonal::Receiver {
+  const zonal::MaterialTable* material;
 };
 
-const Materials& materials() {
-  static const Materials all;
-  return all;
-}
-
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  float uniform(float low, float high) { return std::uniform_real_distribution<float>(low, high)(engine_); }
-  glm::vec3 direction() {
-    std::normal_distribution<float> normal;
-    return glm::normalize(glm::vec3(normal(engine_), normal(engine_), normal(engine_)));
-  }
-  glm::vec3 direction_above(const glm::vec3& normal) {
-    const glm::vec3 d = direction();
-    return glm::dot(d, normal) > 0 ? d : -d;
-  }
-  glm::vec3 colour() { return {uniform(0, 2), uniform(0, 2), uniform(0, 2)}; }
-
- private:
-  std::mt19937 engine_;
-};
-
-VirtualLight random_light(Random& random) {
-  VirtualLight light;
-  light.position = 3.0F * random.direction();
-  light.normal = random.direction_above(-light.position);
-  light.to_primary = random.direction_above(light.normal);
-  light.flux = random.colour();
-  light.radius = random.uniform(0.1F, 1.5F);
-  light.material = random.uniform(0, 1) < 0.5F ? &materials().plastic : &materials().red;
-  return light;
-}
-
-zonal::Receiver random_receiver(Random& random) {
-  zonal::Receiver receiver;
+Surface random_receiver(Random& random) {
+  Surface receiver;
   receiver.position = 0.5F * random.direction();
   receiver.normal = random.direction();
   receiver.outgoing = random.direction_above(receiver.normal);
-  receiver.material = random.uniform(0, 1) < 0.5F ? &materials().plastic : &materials().metal;
+  receiver.material = &random.one_of({&materials().plastic, &materials().metal}).table;
   return receiver;
 }
 
-/// Coordinates of w in the frame of z = normal and x = the part of `towards` in its plane.
-glm::dvec3 local(const glm::dvec3& w, const glm::dvec3& normal, const glm::dvec3& towards) {
-  const glm::dvec3 x = glm::normalize(towards - glm::dot(towards, normal) * normal), y = glm::cross(normal, x);
-  return {glm::dot(w, x), glm::dot(w, y), glm::dot(w, normal)};
+template <int N, int NE, Horizon method = Horizon::smoothstep>
+glm::vec3 gather_at(const zonal::HvlCache<NE>& cache, const Surface& surface) {
+  return zonal::gather<N, NE, method>(cache, surface, *surface.material);
 }
 
 /// The formula at the head of hvl.hpp, light by light, in double and with all N^2 coefficients.
 template <int N, int NE, Horizon method>
-glm::dvec3 gather_by_definition(const std::vector<VirtualLight>& lights, const zonal::Receiver& receiver) {
+glm::dvec3 gather_by_definition(const std::vector<VirtualLight>& lights, const Surface& receiver) {
   const glm::dvec3 n(receiver.normal), out(receiver.outgoing);
   const auto material = receiver.material->with_cosine<N>(glm::dot(receiver.normal, receiver.outgoing));
   glm::dvec3 total(0);
@@ -120,9 +80,9 @@ void check_against_definition() {
     for (int i = 0; i < trial; ++i) lights.push_back(random_light(random));
     const zonal::HvlCache<NE> cache(lights);
     REQUIRE(cache.size() == trial);
-    const zonal::Receiver receiver = random_receiver(random);
+    const Surface receiver = random_receiver(random);
     const glm::dvec3 expected = gather_by_definition<N, NE, method>(lights, receiver);
-    const glm::dvec3 got(zonal::gather<N, NE, method>(cache, receiver));
+    const glm::dvec3 got(gather_at<N, NE, method>(cache, receiver));
     for (int c = 0; c < 3; ++c) {
       CAPTURE(N, NE, static_cast<int>(method), trial, c, got[c], expected[c]);
       REQUIRE(std::abs(got[c] - expected[c]) <= 2e-5 * std::max(expected[0] + expected[1] + expected[2], 1e-3));
@@ -137,17 +97,17 @@ VirtualLight facing_light(const glm::vec3& position, float radius, float radianc
   light.normal = light.to_primary = -glm::normalize(position);
   light.radius = radius;
   light.flux = glm::vec3(radiance * radius * radius * float(pi * pi));  // f = 1/pi
-  light.material = &materials().white;
+  light.material = &materials().white.table;
   return light;
 }
 
 template <int NE = 1>
-glm::vec3 gather_one(const VirtualLight& light, const zonal::Receiver& receiver) {
-  return zonal::gather<5, NE>(zonal::HvlCache<NE>({light}), receiver);
+glm::vec3 gather_one(const VirtualLight& light, const Surface& receiver) {
+  return gather_at<5, NE>(zonal::HvlCache<NE>({light}), receiver);
 }
 
-const zonal::Receiver& receiver_on_the_floor() {
-  static const zonal::Receiver receiver{{0, 0, 0}, {0, 0, 1}, {0.6F, 0, 0.8F}, &materials().red};
+const Surface& receiver_on_the_floor() {
+  static const Surface receiver{{{0, 0, 0}, {0, 0, 1}, {0.6F, 0, 0.8F}}, &materials().red.table};
   return receiver;
 }
 
@@ -168,10 +128,10 @@ TEST_CASE("gather: a white floor under a sphere reflects E / pi = L sin^2 a cos 
       const float sine = std::min(1 / distance, 0.9F * std::sin(elevation));  // wholly above the horizon
       const glm::vec3 direction(std::cos(elevation), 0, std::sin(elevation));
       const VirtualLight light = facing_light(distance * direction, sine * distance, 5);
-      zonal::Receiver receiver = receiver_on_the_floor();
-      receiver.material = &materials().white;
+      Surface receiver = receiver_on_the_floor();
+      receiver.material = &materials().white.table;
       const float expected = 5 * sine * sine * std::sin(elevation);
-      const float got = zonal::gather<21, 1>(zonal::HvlCache<1>({light}), receiver).x;
+      const float got = gather_at<21, 1>(zonal::HvlCache<1>({light}), receiver).x;
       CAPTURE(distance, elevation, sine);
       CHECK(std::abs(got - expected) <= 5 * sine * sine * 2e-3F);  // 21 bands of the clamped cosine
     }
@@ -182,8 +142,8 @@ TEST_CASE("gather: emission bands beyond the first change nothing for diffuse li
   Random random(6);
   for (int i = 0; i < 100; ++i) {
     VirtualLight light = random_light(random);
-    light.material = &materials().red;
-    const zonal::Receiver receiver = random_receiver(random);
+    light.material = &materials().red.table;
+    const Surface receiver = random_receiver(random);
     const glm::vec3 one = gather_one<1>(light, receiver), five = gather_one<5>(light, receiver);
     CAPTURE(i);
     for (int c = 0; c < 3; ++c) CHECK(std::abs(one[c] - five[c]) <= 1e-5F * one[c]);
@@ -197,23 +157,23 @@ TEST_CASE("gather: lights without power, area or material, and lights that are n
     VirtualLight light = good;
     change(light);
     const zonal::HvlCache<1> cache({light, light, light});
-    return cache.size() == 0 && zonal::gather<5, 1>(cache, receiver_on_the_floor()) == glm::vec3(0);
+    return cache.size() == 0 && gather_at<5, 1>(cache, receiver_on_the_floor()) == glm::vec3(0);
   };
   CHECK(is_nothing([](VirtualLight& light) { light.flux = glm::vec3(0); }));
   CHECK(is_nothing([](VirtualLight& light) { light.radius = 0; }));
   CHECK(is_nothing([](VirtualLight& light) { light.material = nullptr; }));
   CHECK(is_nothing([](VirtualLight& light) { light.to_primary = -light.normal; }));
-  CHECK(zonal::gather<5, 3>(zonal::HvlCache<3>(), receiver_on_the_floor()) == glm::vec3(0));
+  CHECK(gather_at<5, 3>(zonal::HvlCache<3>(), receiver_on_the_floor()) == glm::vec3(0));
 
   VirtualLight black = good;
-  black.material = &materials().black;
+  black.material = &materials().black.table;
   CHECK(gather_one<3>(black, receiver_on_the_floor()) == glm::vec3(0));
 }
 
 TEST_CASE("gather: lights below the receiver's horizon, or facing away, are exactly nothing") {
   const auto below = facing_light({0.1F, 0, -2}, 0.5F, 3);
   CHECK(gather_one(below, receiver_on_the_floor()) == glm::vec3(0));
-  CHECK(zonal::gather<5, 1, Horizon::exact>(zonal::HvlCache<1>({below}), receiver_on_the_floor()) == glm::vec3(0));
+  CHECK(gather_at<5, 1, Horizon::exact>(zonal::HvlCache<1>({below}), receiver_on_the_floor()) == glm::vec3(0));
   VirtualLight turned = facing_light({0, 0, 2}, 0.5F, 3);
   turned.normal = turned.to_primary = glm::vec3(0, 0, 1);
   CHECK(gather_one(turned, receiver_on_the_floor()) == glm::vec3(0));
@@ -237,10 +197,10 @@ TEST_CASE("gather: tiny, huge, near and far lights give finite light") {
   for (const float radius : {1e-12F, 1e-6F, 1.0F, 1e6F}) {
     for (const float distance : {1e-12F, 1e-6F, 1.0F, 1e6F, 1e12F}) {
       VirtualLight light = facing_light(glm::vec3(0, 0.6F, 0.8F) * distance, radius, 3);
-      light.material = &materials().plastic;
+      light.material = &materials().plastic.table;
       for (const glm::vec3& radiance :
            {gather_one<3>(light, receiver_on_the_floor()),
-            zonal::gather<5, 3, Horizon::exact>(zonal::HvlCache<3>({light}), receiver_on_the_floor())}) {
+            gather_at<5, 3, Horizon::exact>(zonal::HvlCache<3>({light}), receiver_on_the_floor())}) {
         CAPTURE(radius, distance, radiance.x);
         CHECK((std::isfinite(radiance.x) && std::isfinite(radiance.y) && std::isfinite(radiance.z)));
       }
@@ -250,9 +210,9 @@ TEST_CASE("gather: tiny, huge, near and far lights give finite light") {
 
 TEST_CASE("gather: looking along the normal, or lit along it, no frame is missing") {
   VirtualLight light = facing_light({1, 1, 2}, 0.5F, 3);
-  light.material = &materials().plastic;
-  zonal::Receiver receiver = receiver_on_the_floor();
-  receiver.material = &materials().plastic;
+  light.material = &materials().plastic.table;
+  Surface receiver = receiver_on_the_floor();
+  receiver.material = &materials().plastic.table;
   receiver.outgoing = {0, 0, 1};
   const glm::vec3 along = gather_one<3>(light, receiver);
   receiver.outgoing = glm::normalize(glm::vec3(1e-4F, 0, 1));
@@ -267,8 +227,8 @@ TEST_CASE("gather: turning everything turns nothing") {
     const glm::mat3 turn(glm::rotate(glm::mat4(1), random.uniform(0, 6), random.direction()));
     std::vector<VirtualLight> lights;
     for (int i = 0; i < 7; ++i) lights.push_back(random_light(random));
-    zonal::Receiver receiver = random_receiver(random);
-    const glm::vec3 before = zonal::gather<5, 3>(zonal::HvlCache<3>(lights), receiver);
+    Surface receiver = random_receiver(random);
+    const glm::vec3 before = gather_at<5, 3>(zonal::HvlCache<3>(lights), receiver);
     for (VirtualLight& light : lights) {
       light.position = turn * light.position;
       light.normal = turn * light.normal;
@@ -277,7 +237,7 @@ TEST_CASE("gather: turning everything turns nothing") {
     receiver.position = turn * receiver.position;
     receiver.normal = turn * receiver.normal;
     receiver.outgoing = turn * receiver.outgoing;
-    const glm::vec3 after = zonal::gather<5, 3>(zonal::HvlCache<3>(lights), receiver);
+    const glm::vec3 after = gather_at<5, 3>(zonal::HvlCache<3>(lights), receiver);
     CAPTURE(trial);
     for (int c = 0; c < 3; ++c) CHECK(std::abs(after[c] - before[c]) <= 3e-5F * (before.x + before.y + before.z));
   }

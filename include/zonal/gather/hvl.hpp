@@ -12,12 +12,7 @@
 // [1] Mezieres et al., Harmonics Virtual Lights, CGF 41(6), 2022.
 #pragma once
 
-#include <algorithm>
 #include <vector>
-
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
 
 #include "../basis/evaluate.hpp"
 #include "../lobe/cap.hpp"
@@ -25,6 +20,8 @@
 #include "../scalar/vector3.hpp"
 #include "../transform/orient.hpp"
 #include "horizon.hpp"
+#include "packet_array.hpp"
+#include "receiver.hpp"
 #include "virtual_light.hpp"
 
 namespace zonal {
@@ -51,23 +48,6 @@ struct HvlRecord {
   }
 };
 
-/// A frame about a normal in which a fixed direction has phi = 0.
-template <class T>
-struct ReceiverFrame {
-  T position[3], normal[3], tangent[3];
-};
-
-namespace detail {
-// The unit vector of v's part in the plane of the normal; any one of that plane where v is the normal.
-inline glm::vec3 tangent_towards(const glm::vec3& normal, const glm::vec3& v) {
-  const glm::vec3 flat = v - glm::dot(v, normal) * normal;
-  const float length2 = glm::dot(flat, flat);
-  if (length2 > 1e-12F) return flat / std::sqrt(length2);
-  const glm::vec3 other = std::abs(normal.x) < 0.5F ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
-  return glm::normalize(glm::cross(normal, other));
-}
-}  // namespace detail
-
 /// The outgoing radiance that one light (or one packet of lights) causes, to radiance[3], RGB. `material` is F at the
 /// outgoing direction, RGB by degree and order. A receiver inside the sphere sees a hemisphere; one at its very
 /// centre sees nothing, for there is no direction to it.
@@ -75,11 +55,7 @@ template <int N, int NE, Horizon method, class T, class Lane>
 ZONAL_INLINE inline void hvl_radiance(const HvlRecord<NE, T>& light, const ReceiverFrame<T>& receiver,
                                       const EvenSh<N, glm::vec<3, Lane>>& material, T (&radiance)[3]) {
   // Where the light stands, and how large it looks.
-  const T to_light[3] = {light.position[0] - receiver.position[0], light.position[1] - receiver.position[1],
-                         light.position[2] - receiver.position[2]};
-  const T distance = sqrt(max(detail::dot3(to_light, to_light), T(1e-30L)));
-  const T inverse = T(1) / distance;
-  const T direction[3] = {to_light[0] * inverse, to_light[1] * inverse, to_light[2] * inverse};
+  const auto [direction, distance] = look_at(light, receiver);
   const T cos_receiver = detail::dot3(direction, receiver.normal);
   const T cos_light = max(T(0), -detail::dot3(direction, light.normal));
   const auto cap = SphericalCap<T>::from_sphere(distance, light.radius);
@@ -111,14 +87,14 @@ ZONAL_INLINE inline void hvl_radiance(const HvlRecord<NE, T>& light, const Recei
   for (int c = 0; c < 3; ++c) radiance[c] = max(sent[c], T(0)) * geometry * reflected[c];
 }
 
-/// The virtual lights as a structure of arrays, padded with dark lights to whole packets. Lights without power, area or
-/// material are left out: they contribute exactly nothing. NE bands of emission; 1 is exact for diffuse emitters and
-/// needs no evaluation at all.
+/// The virtual lights in packets. Lights without power, area or material are left out: they contribute exactly
+/// nothing. NE bands of emission; 1 is exact for diffuse emitters and needs no evaluation at all.
 template <int NE>
 class HvlCache {
  public:
   using Lanes = Packet<float, kNativeLanes>;
-  using Record = HvlRecord<NE, Lanes>;
+  template <class T>
+  using Record = HvlRecord<NE, T>;
 
   HvlCache() = default;
   explicit HvlCache(const std::vector<VirtualLight>& lights) {
@@ -130,17 +106,9 @@ class HvlCache {
   }
 
   /// The lights that shine.
-  int size() const { return size_; }
-  /// The same in packets, the last one padded.
-  int packet_count() const { return (size_ + Lanes::width - 1) / Lanes::width; }
-
-  ZONAL_INLINE Record packet(int index) const {
-    Record record;
-    const float* source = fields_.data() + static_cast<std::size_t>(index * Lanes::width * Record::field_count);
-    unroll<0, Record::field_count>([&](auto i)
-                                       ZONAL_INLINE { record.field(i) = Lanes::load(source + i * Lanes::width); });
-    return record;
-  }
+  int size() const { return records_.size(); }
+  int packet_count() const { return records_.packet_count(); }
+  ZONAL_INLINE Record<Lanes> packet(int index) const { return records_.packet(index); }
 
  private:
   void append(const VirtualLight& light) {
@@ -149,7 +117,7 @@ class HvlCache {
         light.material->template without_cosine<NE>(glm::dot(light.normal, light.to_primary));
     const glm::vec3 scale = light.flux / (light.radius * light.radius);
 
-    HvlRecord<NE, float> record;
+    Record<float> record;
     for (int i = 0; i < 3; ++i) {
       record.position[i] = light.position[i];
       record.normal[i] = light.normal[i];
@@ -162,50 +130,23 @@ class HvlCache {
       }
     }
     record.radius = light.radius;
-    store(record);
+    records_.append(record);
   }
 
-  // Packet after packet, each field by field: one gather step reads one run of memory.
-  void store(HvlRecord<NE, float>& record) {
-    const int lane = size_ % Lanes::width;
-    if (lane == 0) fields_.resize(fields_.size() + static_cast<std::size_t>(Lanes::width * Record::field_count), 0.0F);
-    float* target = fields_.data() + fields_.size() - Lanes::width * Record::field_count + lane;
-    for (int i = 0; i < Record::field_count; ++i) target[i * Lanes::width] = record.field(i);
-    ++size_;
-  }
-
-  std::vector<float> fields_;
-  int size_ = 0;
+  PacketArray<Record> records_;
 };
 
-/// A point that is seen: `outgoing` is the unit direction to the eye, on the normal's side.
-struct Receiver {
-  glm::vec3 position, normal, outgoing;
-  const MaterialTable* material;
-};
-
-/// Outgoing radiance, RGB, at the receiver from all lights of the cache: one bounce, without visibility, N bands of
-/// the receiver's material (N <= its table's). Negative sums, which ringing can leave, are cut to zero.
-template <int N, int NE, Horizon method = Horizon::smoothstep>
-glm::vec3 gather(const HvlCache<NE>& cache, const Receiver& receiver) {
+/// Outgoing radiance, RGB, at the receiver from all lights of the cache: one bounce, N bands of the receiver's
+/// material (N <= its table's). Negative sums, which ringing can leave, are cut to zero.
+template <int N, int NE, Horizon method = Horizon::smoothstep, class Visibility = AllVisible>
+glm::vec3 gather(const HvlCache<NE>& cache, const Receiver& receiver, const MaterialTable& material,
+                 const Visibility& visible = {}) {
   using Lanes = typename HvlCache<NE>::Lanes;
-  const glm::vec3 tangent = detail::tangent_towards(receiver.normal, receiver.outgoing);
-  const EvenSh<N, glm::vec3> material =
-      receiver.material->template with_cosine<N>(glm::dot(receiver.normal, receiver.outgoing));
-  ReceiverFrame<Lanes> frame;
-  for (int i = 0; i < 3; ++i) {
-    frame.position[i] = Lanes(receiver.position[i]);
-    frame.normal[i] = Lanes(receiver.normal[i]);
-    frame.tangent[i] = Lanes(tangent[i]);
-  }
-
-  Lanes sum[3] = {Lanes(0), Lanes(0), Lanes(0)};
-  for (int i = 0; i < cache.packet_count(); ++i) {
-    Lanes radiance[3];
-    hvl_radiance<N, NE, method>(cache.packet(i), frame, material, radiance);
-    for (int c = 0; c < 3; ++c) sum[c] = sum[c] + radiance[c];
-  }
-  return glm::max(glm::vec3(sum[0].sum(), sum[1].sum(), sum[2].sum()), glm::vec3(0));
+  const auto frame = detail::frame_of<Lanes>(receiver);
+  const EvenSh<N, glm::vec3> coefficients = material.with_cosine<N>(glm::dot(receiver.normal, receiver.outgoing));
+  const auto radiance = [&](const HvlRecord<NE, Lanes>& light, Lanes(&rgb)[3])
+                            ZONAL_INLINE { hvl_radiance<N, NE, method>(light, frame, coefficients, rgb); };
+  return glm::max(detail::sum_packets(cache, visible, radiance), glm::vec3(0));
 }
 
 }  // namespace zonal

@@ -3,6 +3,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "../material/brdf.hpp"
 #include "../material/material_table.hpp"
 
 namespace zonal {
@@ -10,12 +11,13 @@ namespace zonal {
 /// One texel of a reflective shadow map: where light of a primary light arrives, and on what.
 struct VirtualLight {
   glm::vec3 position{0};
-  glm::vec3 normal{0, 0, 1};      // unit
-  glm::vec3 to_primary{0, 0, 1};  // unit, from the surface to the primary light
-  glm::vec3 flux{0};              // W, RGB, that arrives: intensity times the texel's solid angle
-  float primary_distance = 0;     // to the primary light
-  float radius = 0;               // of the sphere that stands for the texel's surface; see radius.hpp
-  const MaterialTable* material = nullptr;
+  glm::vec3 normal{0, 0, 1};                // unit
+  glm::vec3 to_primary{0, 0, 1};            // unit, from the surface to the primary light
+  glm::vec3 flux{0};                        // W, RGB, that arrives: intensity times the texel's solid angle
+  float primary_distance = 0;               // to the primary light
+  float radius = 0;                         // of the sphere that stands for the texel's surface; see radius.hpp
+  const MaterialTable* material = nullptr;  // for HVL: what it reflects, projected
+  const Brdf* brdf = nullptr;               // for all others: what it reflects, itself
 };
 
 }  // namespace zonal

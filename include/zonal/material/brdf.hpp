@@ -264,4 +264,22 @@ glm::vec<3, T> evaluate(const Brdf& brdf, const glm::vec<3, T>& wi, const glm::v
   return sum;
 }
 
+/// The sum of a material's Lambert lobes' albedos.
+inline glm::vec3 diffuse_albedo(const Brdf& brdf) {
+  glm::vec3 sum(0.0F);
+  for (const BrdfLobe& lobe : brdf.lobes) {
+    if (const auto* lambert = std::get_if<LambertBrdf>(&lobe)) sum += lambert->albedo;
+  }
+  return sum;
+}
+
+/// A material's lobes other than Lambert's.
+inline Brdf glossy_part(const Brdf& brdf) {
+  Brdf glossy;
+  for (const BrdfLobe& lobe : brdf.lobes) {
+    if (!std::holds_alternative<LambertBrdf>(lobe)) glossy.lobes.push_back(lobe);
+  }
+  return glossy;
+}
+
 }  // namespace zonal

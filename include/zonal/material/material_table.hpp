@@ -26,6 +26,24 @@
 
 namespace zonal {
 
+namespace detail {
+
+/// The first coefficients of the row at an outgoing angle, of a table with one row per degree (or one row in all):
+/// linear in the angle, constant beyond the last row.
+template <class Coefficients>
+void interpolate_rows(const std::vector<glm::vec3>& table, int angles, float cos_outgoing, Coefficients& result) {
+  const float degrees = acos(clamp(cos_outgoing, -1.0F, 1.0F)) * float(180 / kPi);
+  const float position = std::min(degrees, float(angles - 1));
+  const int below = int(position), above = std::min(below + 1, angles - 1);
+  const float t = position - float(below);
+  const int row_size = int(table.size()) / angles;
+  const glm::vec3* row_below = table.data() + below * row_size;
+  const glm::vec3* row_above = table.data() + above * row_size;
+  for (int i = 0; i < result.size(); ++i) result[i] = row_below[i] + t * (row_above[i] - row_below[i]);
+}
+
+}  // namespace detail
+
 /// F (with cosine) and F' (without), RGB, of an isotropic material: see projection.hpp for the two and for
 /// their frame.
 ///
@@ -118,14 +136,8 @@ class MaterialTable {
   EvenSh<N, glm::vec3> interpolate(const std::vector<glm::vec3>& table, float cos_outgoing) const {
     static_assert(1 <= N && N <= max_bands, "bands out of range: 1 <= N <= 21");
     assert(N <= bands_);
-    const float degrees = acos(clamp(cos_outgoing, -1.0F, 1.0F)) * float(180 / kPi);
-    const float position = std::min(degrees, float(angles_ - 1));
-    const int below = int(position), above = std::min(below + 1, angles_ - 1);
-    const float t = position - float(below);
-    const glm::vec3* row_below = table.data() + below * row_size();
-    const glm::vec3* row_above = table.data() + above * row_size();
     EvenSh<N, glm::vec3> result{};
-    for (int i = 0; i < result.size(); ++i) result[i] = row_below[i] + t * (row_above[i] - row_below[i]);
+    detail::interpolate_rows(table, angles_, cos_outgoing, result);
     return result;
   }
 

@@ -1,0 +1,109 @@
+// The point that receives light from virtual lights, and what stands between.
+#pragma once
+
+#include <cmath>
+#include <type_traits>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include "../scalar/packet.hpp"
+#include "../scalar/vector3.hpp"
+
+namespace zonal {
+
+/// A point that is seen: `outgoing` is the unit direction to the eye, on the normal's side.
+struct Receiver {
+  glm::vec3 position, normal, outgoing;
+};
+
+/// A frame about a normal in which a fixed direction has phi = 0.
+template <class T>
+struct ReceiverFrame {
+  T position[3], normal[3], tangent[3];
+};
+
+/// Where a light stands, seen from the receiver.
+template <class T>
+struct LightDirection {
+  T direction[3];  // unit, from the receiver to the light
+  T distance;
+};
+
+template <class Record, class T>
+ZONAL_INLINE inline LightDirection<T> look_at(const Record& light, const ReceiverFrame<T>& receiver) {
+  const T to_light[3] = {light.position[0] - receiver.position[0], light.position[1] - receiver.position[1],
+                         light.position[2] - receiver.position[2]};
+  const T distance = sqrt(max(detail::dot3(to_light, to_light), T(1e-30L)));
+  const T inverse = T(1) / distance;
+  return {{to_light[0] * inverse, to_light[1] * inverse, to_light[2] * inverse}, distance};
+}
+
+/// Nothing stands between. Any callable (light position, light normal: glm::vec3) -> bool can take its place: it is
+/// asked for each light that would contribute, once per receiver, and leaves out those for which it says no. A ray to
+/// the light's centre is what [1, 5.1] does.
+///
+/// [1] Mezieres et al., Harmonics Virtual Lights, CGF 41(6), 2022.
+struct AllVisible {
+  bool operator()(const glm::vec3&, const glm::vec3&) const { return true; }
+};
+
+namespace detail {
+
+/// The unit vector of v's part in the plane of the normal; any one of that plane where v is the normal.
+inline glm::vec3 tangent_towards(const glm::vec3& normal, const glm::vec3& v) {
+  const glm::vec3 flat = v - glm::dot(v, normal) * normal;
+  const float length2 = glm::dot(flat, flat);
+  if (length2 > 1e-12F) return flat / std::sqrt(length2);
+  const glm::vec3 other = std::abs(normal.x) < 0.5F ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+  return glm::normalize(glm::cross(normal, other));
+}
+
+/// The receiver's frame, the same in all lanes.
+template <class T>
+ReceiverFrame<T> frame_of(const Receiver& receiver) {
+  const glm::vec3 tangent = tangent_towards(receiver.normal, receiver.outgoing);
+  ReceiverFrame<T> frame;
+  for (int i = 0; i < 3; ++i) {
+    frame.position[i] = T(receiver.position[i]);
+    frame.normal[i] = T(receiver.normal[i]);
+    frame.tangent[i] = T(tangent[i]);
+  }
+  return frame;
+}
+
+/// What one packet of lights contributes, less what the receiver does not see of it, added up.
+template <class Record, class T, class Visibility>
+ZONAL_INLINE inline glm::vec3 visible_sum(const Record& lights, const T (&radiance)[3], const Visibility& visible) {
+  glm::vec3 sum(0.0F);
+  for (int lane = 0; lane < T::width; ++lane) {
+    const glm::vec3 rgb(radiance[0][lane], radiance[1][lane], radiance[2][lane]);
+    if (rgb == glm::vec3(0.0F)) continue;
+    const auto vector = [&](const T(&v)[3]) { return glm::vec3(v[0][lane], v[1][lane], v[2][lane]); };
+    if (visible(vector(lights.position), vector(lights.normal))) sum += rgb;
+  }
+  return sum;
+}
+
+/// The sum of radiance(record, to[3]) over all packets that `lights` holds.
+template <class Lights, class Visibility, class Radiance>
+ZONAL_INLINE inline glm::vec3 sum_packets(const Lights& lights, const Visibility& visible, const Radiance& radiance) {
+  using Lanes = typename Lights::Lanes;
+  Lanes sum[3] = {Lanes(0), Lanes(0), Lanes(0)};
+  glm::vec3 total(0.0F);
+  for (int i = 0; i < lights.packet_count(); ++i) {
+    const auto record = lights.packet(i);
+    Lanes rgb[3];
+    radiance(record, rgb);
+    if constexpr (std::is_same_v<Visibility, AllVisible>) {
+      for (int c = 0; c < 3; ++c) sum[c] = sum[c] + rgb[c];
+    } else {
+      total += visible_sum(record, rgb, visible);
+    }
+  }
+  return total + glm::vec3(sum[0].sum(), sum[1].sum(), sum[2].sum());
+}
+
+}  // namespace detail
+}  // namespace zonal

@@ -1,0 +1,182 @@
+// Virtual spherical lights [1]: a light's power comes from a sphere, and is integrated over the cap that the sphere
+// covers by sampling.
+//
+//   L_o(x) = sum_j Phi_j / (pi r^2) integral over the cap of f_x(w, wo) cos_x f_y(w_l, -w) cos_y dw
+//
+// Two strategies share the samples and are joined by the balance heuristic: directions uniform in the cap, and
+// directions by the receiver's BRDF. The latter know nothing of the light, so they are drawn once for all lights; a
+// receiver that is diffuse has no use for them, and all its samples go to the cap.
+//
+// [1] Hasan, Krivanek, Walter, Bala, Virtual spherical lights for many-light rendering of glossy scenes, SIGGRAPH Asia
+//     2009.
+#pragma once
+
+#include <cassert>
+#include <cmath>
+
+#include "../lobe/cap.hpp"
+#include "../material/sampling.hpp"
+#include "light_cache.hpp"
+
+namespace zonal {
+
+/// Samples per light that gather_vsl can take.
+inline constexpr int kMaxVslSamples = 1024;
+
+namespace detail {
+
+/// What of one receiver's samples all lights share.
+struct VslSamples {
+  struct ByBrdf {
+    glm::vec3 direction, reflected;  // world; f cos, 1/sr
+    float density;                   // 1/sr
+  };
+  struct InCap {
+    float u, cos_phi, sin_phi;
+  };
+  int brdf_count = 0, cap_count = 0;
+  ByBrdf by_brdf[std::size_t{kMaxVslSamples / 2}];
+  InCap in_cap[std::size_t{kMaxVslSamples}];
+};
+
+inline float fraction(float x) { return x - std::floor(x); }
+
+/// Stratified: the k-th of n in the k-th interval, and golden-ratio sequences in the other dimensions.
+template <class Uniform>
+void draw_vsl_samples(const Receiver& receiver, const Brdf& brdf, int samples, Uniform& uniform, VslSamples& result) {
+  constexpr float golden = 0.61803399F, plastic = 0.75487767F;
+  const bool is_diffuse = glossy_part(brdf).lobes.empty();
+  result.brdf_count = is_diffuse ? 0 : samples / 2;
+  result.cap_count = samples - result.brdf_count;
+
+  const glm::vec3 normal = receiver.normal, tangent = tangent_towards(normal, receiver.outgoing);
+  const glm::vec3 bitangent = glm::cross(normal, tangent), outgoing = local_outgoing(receiver);
+  const float lobe_shift = uniform(), phi_shift = uniform();
+  int drawn = 0;  // less those that no direction came of, which count as zero
+  for (int k = 0; k < result.brdf_count; ++k) {
+    const float u = (float(k) + uniform()) / float(result.brdf_count);
+    const auto sample = zonal::sample(brdf, outgoing, fraction(lobe_shift + golden * float(k)),
+                                      {u, fraction(phi_shift + plastic * float(k))});
+    if (sample.pdf <= 0.0F || sample.direction.z <= 0.0F) continue;
+    const glm::vec3 world = sample.direction.x * tangent + sample.direction.y * bitangent + sample.direction.z * normal;
+    result.by_brdf[drawn++] = {world, evaluate(brdf, sample.direction, outgoing) * sample.direction.z, sample.pdf};
+  }
+  // The rest of the array is not looked at, but the count stays that of what was tried.
+  for (int k = drawn; k < result.brdf_count; ++k) result.by_brdf[k] = {normal, glm::vec3(0.0F), 1.0F};
+
+  const float u_shift = uniform(), cap_phi_shift = uniform();
+  for (int k = 0; k < result.cap_count; ++k) {
+    const float phi = 2.0F * float(kPi) * fraction(cap_phi_shift + golden * float(k));
+    result.in_cap[k] = {(float(k) + u_shift) / float(result.cap_count), std::cos(phi), std::sin(phi)};
+  }
+}
+
+/// Two unit vectors that complete a unit vector to a frame (Duff et al., Building an Orthonormal Basis, Revisited).
+template <class T>
+ZONAL_INLINE inline void complete_frame(const T (&axis)[3], T (&x)[3], T (&y)[3]) {
+  const T sign = select(axis[2] < T(0), T(-1), T(1));
+  const T a = T(-1) / (sign + axis[2]), b = axis[0] * axis[1] * a;
+  const T first[3] = {T(1) + sign * axis[0] * axis[0] * a, sign * b, -(sign * axis[0])};
+  const T second[3] = {b, sign + axis[1] * axis[1] * a, -axis[1]};
+  for (int i = 0; i < 3; ++i) x[i] = first[i], y[i] = second[i];
+}
+
+/// Any lane set?
+template <class T>
+ZONAL_INLINE inline bool any(const mask_t<T>& mask) {
+  if constexpr (is_builtin_scalar_v<T>) {
+    return mask;
+  } else {
+    return select(mask, T(1), T(0)).sum() > 0;
+  }
+}
+
+/// The cap that a light covers, and how to weigh a direction in it.
+template <class T>
+struct VslCap {
+  T versine;      // 1 - cos of the half angle
+  T cap_density;  // 1/sr times the number of samples in the cap
+  T brdf_count;   // samples by the BRDF
+  T direction[3];
+
+  /// The balance heuristic's weight over the density.
+  ZONAL_INLINE T weight(const T& brdf_density) const { return T(1) / (cap_density + brdf_count * brdf_density); }
+  /// By the chord, 2 - 2 cos, for the cosines of a small cap are all alike.
+  ZONAL_INLINE mask_t<T> holds(const T (&w)[3]) const {
+    const T chord[3] = {w[0] - direction[0], w[1] - direction[1], w[2] - direction[2]};
+    return dot3(chord, chord) < versine + versine;
+  }
+};
+
+}  // namespace detail
+
+/// The outgoing radiance that one light (or one packet of lights) causes, to radiance[3], RGB. `outgoing` is the
+/// direction to the eye in the receiver's frame. A receiver inside the sphere sees a hemisphere.
+template <class T>
+ZONAL_INLINE inline void vsl_radiance(const LightRecord<T>& light, const Brdf& glossy, const ReceiverFrame<T>& receiver,
+                                      const glm::vec3& outgoing, const Brdf& brdf, const detail::VslSamples& samples,
+                                      T (&radiance)[3]) {
+  const LightDirection<T> to_light = look_at(light, receiver);
+  const auto shape = SphericalCap<T>::from_sphere(to_light.distance, light.radius);
+  const T versine = shape.sin_angle * shape.sin_angle / (T(1) + shape.cos_angle);
+  detail::VslCap<T> cap{
+      versine, T(float(samples.cap_count)) / max(T(2 * kPi) * versine, T(1e-30L)), T(float(samples.brdf_count)), {}};
+  for (int i = 0; i < 3; ++i) cap.direction[i] = to_light.direction[i];
+  for (int c = 0; c < 3; ++c) radiance[c] = T(0);
+
+  // Adds f cos at the receiver times what the light sends against w.
+  const auto add = [&](const T(&w)[3], const glm::vec<3, T>& reflected, const T& weight) ZONAL_INLINE {
+    T sent[3];
+    detail::reflected_flux(light, glossy, w, sent);
+    const T cosine = max(T(0), -detail::dot3(w, light.normal)) * weight;
+    for (int c = 0; c < 3; ++c) radiance[c] = radiance[c] + sent[c] * reflected[c] * cosine;
+  };
+
+  for (int k = 0; k < samples.brdf_count; ++k) {
+    const auto& sample = samples.by_brdf[k];
+    const T w[3] = {T(sample.direction.x), T(sample.direction.y), T(sample.direction.z)};
+    const mask_t<T> inside = cap.holds(w);
+    if (!detail::any<T>(inside)) continue;
+    add(w, glm::vec<3, T>(sample.reflected), select(inside, cap.weight(T(sample.density)), T(0)));
+  }
+
+  T x[3], y[3];
+  detail::complete_frame(to_light.direction, x, y);
+  const glm::vec<3, T> local_outgoing(outgoing);
+  for (int k = 0; k < samples.cap_count; ++k) {
+    const auto& sample = samples.in_cap[k];
+    T u = T(sample.u) + light.shift;
+    u = select(u < T(1), u, u - T(1));
+    const T one_minus_cos = u * versine, sine = sqrt(one_minus_cos * (T(2) - one_minus_cos));
+    const T along_x = sine * (light.turn[0] * T(sample.cos_phi) - light.turn[1] * T(sample.sin_phi));
+    const T along_y = sine * (light.turn[1] * T(sample.cos_phi) + light.turn[0] * T(sample.sin_phi));
+    T w[3];
+    for (int i = 0; i < 3; ++i) {
+      w[i] = along_x * x[i] + along_y * y[i] + (T(1) - one_minus_cos) * to_light.direction[i];
+    }
+    const glm::vec<3, T> incoming = detail::to_local(w, receiver.normal, receiver.tangent);
+    const T density = samples.brdf_count > 0 ? pdf(brdf, incoming, outgoing) : T(0);
+    add(w, evaluate(brdf, incoming, local_outgoing) * max(T(0), incoming.z), cap.weight(density));
+  }
+
+  const T per_area = T(1) / max(T(kPi) * light.radius * light.radius, T(1e-30L));
+  for (int c = 0; c < 3; ++c) radiance[c] = radiance[c] * per_area;
+}
+
+/// Outgoing radiance, RGB, at a receiver of material `brdf` from all lights of the cache: one bounce. `samples` per
+/// light, 1 to kMaxVslSamples; uniform() returns random floats in [0, 1). Its mean over them is the formula above.
+template <class Uniform, class Visibility = AllVisible>
+glm::vec3 gather_vsl(const LightCache& cache, const Receiver& receiver, const Brdf& brdf, int samples,
+                     Uniform&& uniform, const Visibility& visible = {}) {
+  using Lanes = PacketArray<LightRecord>::Lanes;
+  assert(1 <= samples && samples <= kMaxVslSamples);
+  detail::VslSamples drawn;
+  detail::draw_vsl_samples(receiver, brdf, samples, uniform, drawn);
+  const auto frame = detail::frame_of<Lanes>(receiver);
+  const glm::vec3 outgoing = detail::local_outgoing(receiver);
+  return detail::sum_groups(cache, visible, [&](const LightCache::Group& group, const auto& light, auto& rgb) {
+    vsl_radiance(light, group.glossy, frame, outgoing, brdf, drawn, rgb);
+  });
+}
+
+}  // namespace zonal

@@ -1,0 +1,114 @@
+// A material as one diffuse and one circularly symmetric lobe: N coefficients where N^2 would tell all.
+//
+// Seen from wo the glossy part of a BRDF is a lobe about the mirror direction r, here without the cosine of the
+// incoming direction. Its mean over the circles about r is zonal: with z_l = integral of f(w, wo) Y_l^0(w . r) dw,
+//
+//   f(w, wo) ~ sum_l z_l Y_l^0(w . r)        and against a cap about w_j:   sum_l A_l z_l Y_l^0(w_j . r)
+//
+// [1] Mezieres et al., Harmonics Virtual Lights, CGF 41(6), 2022, section 6.3.
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "../basis/evaluate.hpp"
+#include "material_table.hpp"
+
+namespace zonal {
+
+namespace detail {
+
+/// The zonal coefficients of the lobe about its mirror direction, by the nodes of project_brdf (projection.hpp), which
+/// crowd there.
+template <int N, class F>
+Zh<N, glm::dvec3> project_mirror_lobe_once(const F& brdf, double cos_outgoing, const QuadratureRule& rule) {
+  const double theta_o = std::acos(cos_outgoing);
+  const glm::dvec3 wo(std::sin(theta_o), 0.0, cos_outgoing), mirror(-wo.x, 0.0, wo.z);
+  Zh<N, glm::dvec3> result{};
+  for (const double end : {0.0, 0.5 * double(kPi)}) {
+    const double width = end - theta_o;
+    for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+      const double s = 0.5 * (1.0 + rule.nodes[i]), theta = theta_o + width * s * s;
+      const double ring = std::abs(width) * s * rule.weights[i] * std::sin(theta);
+      for (std::size_t j = 0; j < rule.nodes.size(); ++j) {
+        const double t = 0.5 * (1.0 + rule.nodes[j]), phi = double(kPi) * (1.0 - t * t);
+        const glm::dvec3 wi(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
+        const glm::dvec3 weighted = brdf(wi, wo) * (ring * 2.0 * double(kPi) * t * rule.weights[j]);
+        evaluate_zonal<N>(std::min(glm::dot(wi, mirror), 1.0),
+                          [&](auto l, double y) { result.values[l] += weighted * y; });
+      }
+    }
+  }
+  return result;
+}
+
+/// Refined until no coefficient moves by more than tolerance times the largest.
+template <int N, class F>
+Zh<N, glm::dvec3> project_mirror_lobe(const F& brdf, double cos_outgoing, double tolerance,
+                                      const ProjectionQuadrature& quadrature) {
+  auto coarse = project_mirror_lobe_once<N>(brdf, cos_outgoing, quadrature.rule(0));
+  for (int level = 1;; ++level) {
+    const auto fine = project_mirror_lobe_once<N>(brdf, cos_outgoing, quadrature.rule(level));
+    if (relative_movement(coarse, fine) <= tolerance || level + 1 == ProjectionQuadrature::levels) return fine;
+    coarse = fine;
+  }
+}
+
+}  // namespace detail
+
+/// The diffuse albedo of a material, and the zonal coefficients of its glossy part, RGB, without cosine, by outgoing
+/// angle: rows as those of MaterialTable, none for a diffuse material.
+class ZonalTable {
+ public:
+  static constexpr int max_bands = MaterialTable::max_bands;
+  static constexpr int max_angles = MaterialTable::max_angles;
+
+  ZonalTable(const glm::vec3& diffuse_albedo, int bands, std::vector<glm::vec3> rows)
+      : diffuse_albedo_(diffuse_albedo), bands_(bands), rows_(std::move(rows)) {
+    assert(1 <= bands && bands <= max_bands);
+    assert(rows_.empty() || rows_.size() == std::size_t(max_angles * bands));
+  }
+
+  const glm::vec3& diffuse_albedo() const { return diffuse_albedo_; }
+  int bands() const { return bands_; }
+  bool is_diffuse() const { return rows_.empty(); }
+
+  /// The glossy lobe about the mirror direction at the outgoing direction whose z is cos_outgoing. N <= bands().
+  template <int N>
+  Zh<N, glm::vec3> glossy(float cos_outgoing) const {
+    assert(N <= bands_);
+    Zh<N, glm::vec3> result{};
+    if (!is_diffuse()) detail::interpolate_rows(rows_, max_angles, cos_outgoing, result);
+    return result;
+  }
+
+ private:
+  glm::vec3 diffuse_albedo_;
+  int bands_;
+  std::vector<glm::vec3> rows_;
+};
+
+/// The zonal table of a material: its Lambert lobes are the diffuse part, all else the glossy one. See project_material
+/// for the tolerance.
+template <class ForEach = SerialForEach>
+ZonalTable project_zonal(const Brdf& brdf, int bands, double tolerance = 1e-4, ForEach&& for_each = {}) {
+  const glm::vec3 diffuse = diffuse_albedo(brdf);
+  const Brdf glossy = glossy_part(brdf);
+  if (glossy.lobes.empty()) return {diffuse, bands, {}};
+
+  std::vector<glm::vec3> rows(std::size_t(ZonalTable::max_angles * bands));
+  const auto function = [&glossy](const glm::dvec3& wi, const glm::dvec3& wo) { return evaluate(glossy, wi, wo); };
+  const ProjectionQuadrature quadrature;
+  for_each(ZonalTable::max_angles, [&](int angle) {
+    const double cos_outgoing = std::cos(double(kPi) / 180.0 * angle);
+    const auto lobe = detail::project_mirror_lobe<ZonalTable::max_bands>(function, cos_outgoing, tolerance, quadrature);
+    for (int l = 0; l < bands; ++l) rows[std::size_t(angle * bands + l)] = glm::vec3(lobe[l]);
+  });
+  return {diffuse, bands, std::move(rows)};
+}
+
+}  // namespace zonal

@@ -1,0 +1,364 @@
+// VPL, VSL, zonal HVL and VSGL against their definitions in double, against each other where they must meet, and in a
+// closed white furnace.
+#include <zonal/gather/hvl.hpp>
+#include <zonal/gather/hvl_zonal.hpp>
+#include <zonal/gather/vpl.hpp>
+#include <zonal/gather/vsgl.hpp>
+#include <zonal/gather/vsl.hpp>
+
+#include <algorithm>
+#include <functional>
+#include <string>
+
+#include "../catch.hpp"
+#include "support.hpp"
+
+using namespace gather_test;
+using zonal::LightCache;
+using zonal::Receiver;
+using zonal::VirtualLight;
+
+namespace {
+
+Receiver random_receiver(Random& random) {
+  Receiver receiver;
+  receiver.position = 0.5F * random.direction();
+  receiver.normal = random.direction();
+  receiver.outgoing = random.direction_above(receiver.normal);
+  return receiver;
+}
+
+/// f cos at the receiver for light that comes from w.
+glm::dvec3 reflected(const Receiver& receiver, const zonal::Brdf& brdf, const glm::dvec3& w) {
+  const glm::dvec3 normal(receiver.normal), outgoing(receiver.outgoing);
+  const glm::dvec3 incoming = local(w, normal, outgoing);
+  return zonal::evaluate(brdf, incoming, local(outgoing, normal, outgoing)) * std::max(0.0, incoming.z);
+}
+
+glm::dvec3 vpl_by_definition(const std::vector<VirtualLight>& lights, const Receiver& receiver, const zonal::Brdf& brdf,
+                             double clamp) {
+  glm::dvec3 sum(0);
+  for (const VirtualLight& light : lights) {
+    const glm::dvec3 offset = glm::dvec3(light.position) - glm::dvec3(receiver.position), w = glm::normalize(offset);
+    const double distance = std::max(glm::length(offset), clamp * double(light.radius));
+    sum += reflected(receiver, brdf, w) * sent_by(light, w) / (distance * distance);
+  }
+  return sum;
+}
+
+/// visit(w, solid angle) over the cap that a light covers, up to a hemisphere: equal areas, midpoints.
+template <class Visit>
+void for_each_in_cap(const VirtualLight& light, const Receiver& receiver, int rings, int spokes, const Visit& visit) {
+  const glm::dvec3 offset = glm::dvec3(light.position) - glm::dvec3(receiver.position), axis = glm::normalize(offset);
+  const double sine = std::min(1.0, double(light.radius) / glm::length(offset));
+  const double versine = 1 - std::sqrt(1 - sine * sine);
+  const glm::dvec3 other = std::abs(axis.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  const glm::dvec3 x = glm::normalize(glm::cross(axis, other)), y = glm::cross(axis, x);
+  for (int i = 0; i < rings; ++i) {
+    const double t = versine * (i + 0.5) / rings, s = std::sqrt(t * (2 - t));
+    for (int j = 0; j < spokes; ++j) {
+      const double phi = 2 * pi * (j + 0.5) / spokes;
+      visit(s * std::cos(phi) * x + s * std::sin(phi) * y + (1 - t) * axis, 2 * pi * versine / (rings * spokes));
+    }
+  }
+}
+
+glm::dvec3 vsl_by_definition(const std::vector<VirtualLight>& lights, const Receiver& receiver,
+                             const zonal::Brdf& brdf) {
+  glm::dvec3 sum(0);
+  for (const VirtualLight& light : lights) {
+    const double area = pi * double(light.radius) * double(light.radius);
+    for_each_in_cap(light, receiver, 200, 200, [&](const glm::dvec3& w, double solid_angle) {
+      sum += reflected(receiver, brdf, w) * sent_by(light, w) * (solid_angle / area);
+    });
+  }
+  return sum;
+}
+
+double sum_of(const glm::dvec3& rgb) { return rgb.x + rgb.y + rgb.z; }
+
+void check_close(const glm::vec3& got, const glm::dvec3& expected, double bound) {
+  for (int c = 0; c < 3; ++c) {
+    CAPTURE(c, got[c], expected[c]);
+    REQUIRE(std::abs(double(got[c]) - expected[c]) <= bound * std::max(sum_of(expected), 1e-6));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("light cache: holds every light that shines, those of one glossy material together") {
+  Random random(31);
+  for (int count = 0; count < 70; ++count) {
+    auto lights = random_lights(random, count);
+    CHECK(LightCache(lights).size() == count);
+    CHECK(LightCache(lights).groups().size() <= 3);  // plastic, metal, and all that is diffuse
+    for (VirtualLight& light : lights) light.flux = glm::vec3(0);
+    CHECK(LightCache(lights).size() == 0);
+  }
+}
+
+TEST_CASE("vpl: is its definition, with and without clamping") {
+  Random random(32);
+  for (int trial = 0; trial < 60; ++trial) {
+    const auto lights = random_lights(random, trial);
+    const LightCache cache(lights);
+    const Receiver receiver = random_receiver(random);
+    const Material& material = random.one_of({&materials().plastic, &materials().metal, &materials().red});
+    for (const float clamp : {0.0F, 1.0F, 4.0F}) {
+      CAPTURE(trial, clamp);
+      check_close(gather_vpl(cache, receiver, material.brdf, clamp),
+                  vpl_by_definition(lights, receiver, material.brdf, double(clamp)), 1e-5);
+    }
+  }
+}
+
+TEST_CASE("vsl: its mean is the integral over the cap, for few samples, sharp lobes, and inside the sphere") {
+  Random random(33);
+  const Material mirror{{{zonal::GgxBrdf{0.1F, zonal::SchlickFresnel{glm::vec3(0.9F)}}}}};
+  for (int trial = 0; trial < 24; ++trial) {
+    auto lights = random_lights(random, 3);
+    if (trial % 4 == 0) lights[0].radius = 6;  // the receiver is in it
+    const LightCache cache(lights);
+    Receiver receiver = random_receiver(random);
+    const Material& material = *std::array{&materials().red, &materials().plastic, &mirror}[std::size_t(trial % 3)];
+    if (trial % 2 == 1) {  // it mirrors the first light
+      const glm::vec3 w = glm::normalize(lights[0].position - receiver.position);
+      receiver.normal = glm::normalize(w + 0.7F * random.direction_above(w));
+      receiver.outgoing = 2.0F * glm::dot(w, receiver.normal) * receiver.normal - w;
+    }
+    const glm::dvec3 expected = vsl_by_definition(lights, receiver, material.brdf);
+    for (const int samples : {1, 2, 9}) {
+      const int runs = 20000;
+      glm::dvec3 mean(0), square(0);
+      for (int run = 0; run < runs; ++run) {
+        const glm::dvec3 value(gather_vsl(cache, receiver, material.brdf, samples, random));
+        mean += value / double(runs);
+        square += value * value / double(runs);
+      }
+      for (int c = 0; c < 3; ++c) {
+        const double deviation = std::sqrt(std::max(square[c] - mean[c] * mean[c], 0.0) / runs);
+        CAPTURE(trial, samples, c, mean[c], expected[c], deviation);
+        // of the definition's own midpoints, and of the float sum
+        CHECK(std::abs(mean[c] - expected[c]) <= 4.5 * deviation + 2e-3 * expected[c] + 1e-7);
+      }
+    }
+  }
+}
+
+TEST_CASE("vsl, hvl and vpl meet where lights are small and materials smooth") {
+  Random random(34);
+  for (int trial = 0; trial < 50; ++trial) {
+    auto lights = random_lights(random, 40);
+    for (VirtualLight& light : lights) {
+      light.radius = 0.02F;
+      set_material(light, random.one_of({&materials().red, &materials().white}));
+    }
+    Receiver receiver = random_receiver(random);
+    const LightCache cache(lights);
+    const glm::dvec3 vpl(gather_vpl(cache, receiver, materials().white.brdf));
+    CAPTURE(trial);
+    check_close(gather_vsl(cache, receiver, materials().white.brdf, 16, random), vpl, 5e-3);
+    check_close(zonal::gather<21, 1>(zonal::HvlCache<1>(lights), receiver, materials().white.table), vpl, 2e-3);
+    check_close(zonal::gather_hvl_zonal<5>(cache, receiver, zonal::project_zonal(materials().white.brdf, 5)), vpl,
+                3e-2);
+  }
+}
+
+TEST_CASE("hvl zonal: a circular lobe against a cap is the integral over the cap, with the centre's cosine") {
+  // A Phong lobe about the normal is circular: seen from the normal its mirror direction is the normal.
+  const zonal::Brdf phong{{zonal::PhongBrdf{{0.9F, 0.5F, 0.1F}, 8.0F}}};
+  const zonal::ZonalTable table = zonal::project_zonal(phong, 21);
+  Random random(35);
+  for (int trial = 0; trial < 40; ++trial) {
+    auto lights = random_lights(random, 1);
+    VirtualLight& light = lights[0];
+    set_material(light, materials().red);
+    Receiver receiver = random_receiver(random);
+    receiver.normal = glm::normalize(random.direction_above(light.position));
+    receiver.outgoing = receiver.normal;
+    const glm::dvec3 centre = glm::normalize(glm::dvec3(light.position) - glm::dvec3(receiver.position));
+    const glm::dvec3 normal(receiver.normal);
+    glm::dvec3 expected(0);
+    for_each_in_cap(light, receiver, 200, 200, [&](const glm::dvec3& w, double solid_angle) {
+      const double cosine = glm::dot(w, normal);
+      const double lobe = cosine > 0 ? 10 / (2 * pi) * std::pow(cosine, 8) : 0;
+      expected += glm::dvec3(0.9, 0.5, 0.1) * (lobe * solid_angle);
+    });
+    expected *= sent_by(light, centre) * std::max(0.0, glm::dot(centre, normal)) /
+                (pi * double(light.radius) * double(light.radius));
+    CAPTURE(trial);
+    check_close(zonal::gather_hvl_zonal<21>(LightCache(lights), receiver, table), expected, 5e-4);
+  }
+}
+
+TEST_CASE("zonal table: is the mean of the lobe over circles about the mirror direction, and knows what is diffuse") {
+  CHECK(zonal::project_zonal(materials().red.brdf, 9).is_diffuse());
+  const zonal::Brdf& brdf = materials().plastic.brdf;
+  const zonal::Brdf glossy = zonal::glossy_part(brdf);
+  const zonal::ZonalTable table = zonal::project_zonal(brdf, 9);
+  CHECK(table.diffuse_albedo() == zonal::diffuse_albedo(brdf));
+  for (const int degrees : {0, 20, 60, 85}) {
+    const double theta = degrees * pi / 180;
+    const glm::dvec3 wo(std::sin(theta), 0, std::cos(theta)), mirror(-wo.x, 0, wo.z);
+    zonal::Zh<9, double> expected{};
+    const int rings = 1000, spokes = 1000;
+    for (int i = 0; i < rings; ++i) {
+      const double t = (i + 0.5) * 0.5 * pi / rings;
+      for (int j = 0; j < spokes; ++j) {
+        const double phi = (j + 0.5) * 2 * pi / spokes;
+        const glm::dvec3 w(std::sin(t) * std::cos(phi), std::sin(t) * std::sin(phi), std::cos(t));
+        const double weight = zonal::evaluate(glossy, w, wo).x * std::sin(t) * (0.5 * pi / rings) * (2 * pi / spokes);
+        const auto y = zonal::evaluate_zonal<9>(std::min(glm::dot(w, mirror), 1.0));
+        for (int l = 0; l < 9; ++l) expected[l] += weight * y[l];
+      }
+    }
+    const auto got = table.glossy<9>(float(std::cos(theta)));
+    for (int l = 0; l < 9; ++l) {
+      CAPTURE(degrees, l, got[l].x, expected[l]);
+      CHECK(std::abs(double(got[l].x) - expected[l]) <= 1e-3 * expected[0]);
+    }
+  }
+}
+
+TEST_CASE("visibility: each method asks for the lights that contribute, and leaves out those that are hidden") {
+  Random random(36);
+  for (int trial = 0; trial < 30; ++trial) {
+    const auto lights = random_lights(random, 37);
+    const Receiver receiver = random_receiver(random);
+    const Material& material = materials().plastic;
+    const auto table = zonal::project_zonal(material.brdf, 5);
+    const zonal::HvlCache<3> hvl(lights);
+    const LightCache cache(lights);
+    const zonal::GaussianCache gaussians(zonal::make_gaussian_lights(lights.data(), 6, 2));
+    const auto upper = [](const glm::vec3& position, const glm::vec3&) { return position.z > 0; };
+    const auto lower = [](const glm::vec3& position, const glm::vec3&) { return !(position.z > 0); };
+    const auto nothing = [](const glm::vec3&, const glm::vec3&) { return false; };
+    const auto check = [&](const auto& gather) {
+      const glm::dvec3 all(gather(zonal::AllVisible()));
+      check_close(gather(upper) + gather(lower), all, 1e-5);
+      CHECK(gather(nothing) == glm::vec3(0));
+      int asked = 0;
+      gather([&](const glm::vec3&, const glm::vec3& normal) {
+        CHECK(std::abs(glm::length(normal) - 1) < 1e-5F);
+        ++asked;
+        return true;
+      });
+      CHECK((asked <= 37 && asked > 0));
+    };
+    CAPTURE(trial);
+    check([&](const auto& visible) {
+      return zonal::gather<5, 3, zonal::Horizon::none>(hvl, receiver, material.table, visible);
+    });
+    check([&](const auto& visible) { return gather_vpl(cache, receiver, material.brdf, 1, visible); });
+    check([&](const auto& visible) { return zonal::gather_hvl_zonal<5>(cache, receiver, table, visible); });
+    check([&](const auto& visible) { return gather_vsgl(gaussians, receiver, material.brdf, visible); });
+    check([&](const auto& visible) {
+      Random same(37);
+      return gather_vsl(cache, receiver, material.brdf, 9, same, visible);
+    });
+  }
+}
+
+TEST_CASE("rivals: no light, and lights in any place, give finite light") {
+  const auto table = zonal::project_zonal(materials().plastic.brdf, 9);
+  const Receiver receiver{{0, 0, 0}, {0, 0, 1}, {0.6F, 0, 0.8F}};
+  Random random(38);
+  for (const float radius : {1e-12F, 1e-6F, 1.0F, 1e6F}) {
+    for (const float distance : {0.0F, 1e-12F, 1e-6F, 1.0F, 1e6F, 1e12F}) {
+      VirtualLight light = random_light(random);
+      light.position = glm::vec3(0, 0.6F, 0.8F) * distance;
+      light.normal = light.to_primary = glm::vec3(0, -0.6F, -0.8F);
+      light.radius = radius;
+      set_material(light, materials().plastic);
+      const LightCache cache({light});
+      for (const glm::vec3& rgb : {gather_vpl(cache, receiver, materials().plastic.brdf, 1),
+                                   gather_vsl(cache, receiver, materials().plastic.brdf, 9, random),
+                                   zonal::gather_hvl_zonal<9>(cache, receiver, table),
+                                   gather_vsgl(zonal::GaussianCache(zonal::make_gaussian_lights(&light, 1, 1)),
+                                               receiver, materials().plastic.brdf)}) {
+        CAPTURE(radius, distance, rgb.x);
+        CHECK((std::isfinite(rgb.x) && std::isfinite(rgb.y) && std::isfinite(rgb.z)));
+        CHECK((rgb.x >= 0 && rgb.y >= 0 && rgb.z >= 0));
+      }
+    }
+  }
+  CHECK(gather_vpl({}, receiver, materials().plastic.brdf) == glm::vec3(0));
+  CHECK(gather_vsgl({}, receiver, materials().plastic.brdf) == glm::vec3(0));
+}
+
+namespace {
+
+/// The mean over receivers all over the furnace's wall, seen from `degrees`, of what a material reflects there, over
+/// what it reflects of uniform light, its albedo.
+double furnace_energy(const Material& material, double degrees,
+                      const std::function<glm::vec3(const Receiver&)>& gather) {
+  const float cosine = float(std::cos(degrees * pi / 180)), sine = float(std::sin(degrees * pi / 180));
+  const double albedo = double(material.table.with_cosine<1>(cosine)[0].x) * std::sqrt(4 * pi);
+  Random random(39);
+  const int count = 300;
+  double sum = 0;
+  for (int i = 0; i < count; ++i) {
+    Receiver receiver;
+    receiver.position = random.direction();
+    receiver.normal = -receiver.position;
+    const glm::vec3 tangent = glm::normalize(glm::cross(receiver.normal, random.direction()));
+    receiver.outgoing = cosine * receiver.normal + sine * tangent;
+    sum += double(gather(receiver).x);
+  }
+  return sum / count / albedo;
+}
+
+}  // namespace
+
+TEST_CASE("furnace: in a closed white sphere every method keeps the energy, to the bias stated here") {
+  const Material rough({{zonal::GgxBrdf{0.6F, zonal::SchlickFresnel{glm::vec3(1)}}}}, 21);
+  const Material glossy({{zonal::GgxBrdf{0.25F, zonal::SchlickFresnel{glm::vec3(1)}}}}, 21);
+  const auto lights = furnace(1600);
+  const LightCache cache(lights);
+  const zonal::HvlCache<1> hvl(lights);
+  const zonal::GaussianCache gaussians(zonal::make_gaussian_lights(lights.data(), 40, 1));
+  struct Bias {
+    double low, high;
+  };
+  struct Row {
+    const Material& material;
+    double degrees;
+    Bias vpl, clamped, vsl, hvl5, hvl9, zonal, vsgl;
+  };
+  // VSL lose what the spheres have behind the receiver, and put at grazing angles; HVL gain it and lose it by the
+  // horizon's factor. Zonal HVL and VSGL lose wide lobes seen at grazing angles: the lobe that is cut off there is no
+  // circle about the mirror direction. VSGL has a Gaussian for the cosine, a seventh of which is below the surface.
+  const Row rows[] = {
+      {materials().white,
+       0,
+       {-.002, .002},
+       {-.005, .001},
+       {-.03, 0},
+       {-.01, .01},
+       {-.01, .01},
+       {-.01, .03},
+       {-.17, -.12}},
+      {rough, 0, {-.002, .002}, {-.005, .001}, {-.03, 0}, {-.01, .01}, {-.01, .01}, {-.01, .01}, {-.40, -.30}},
+      {rough, 70, {-.002, .002}, {-.005, .001}, {-.04, 0}, {-.02, .01}, {-.01, .01}, {-.35, -.30}, {-.70, -.60}},
+      {glossy, 0, {-.002, .002}, {-.005, .001}, {-.02, 0}, {-.06, .01}, {-.01, .02}, {-.01, .01}, {-.05, .01}},
+      {glossy, 70, {-.01, .01}, {-.01, .01}, {-.06, 0}, {-.04, .01}, {-.01, .02}, {-.15, .01}, {-.40, -.20}},
+  };
+  for (const Row& row : rows) {
+    const zonal::Brdf& brdf = row.material.brdf;
+    const zonal::ZonalTable table = zonal::project_zonal(brdf, 15);
+    Random random(40);
+    const auto check = [&](const char* method, const Bias& bias, const auto& gather) {
+      const double energy = furnace_energy(row.material, row.degrees, gather);
+      CAPTURE(method, row.degrees, brdf.lobes.size(), energy);
+      CHECK(energy >= 1 + bias.low);
+      CHECK(energy <= 1 + bias.high);
+    };
+    check("vpl", row.vpl, [&](const Receiver& r) { return gather_vpl(cache, r, brdf); });
+    check("vpl, clamped", row.clamped, [&](const Receiver& r) { return gather_vpl(cache, r, brdf, 1); });
+    check("vsl", row.vsl, [&](const Receiver& r) { return gather_vsl(cache, r, brdf, 16, random); });
+    check("hvl 5", row.hvl5, [&](const Receiver& r) { return zonal::gather<5>(hvl, r, row.material.table); });
+    check("hvl 9", row.hvl9, [&](const Receiver& r) { return zonal::gather<9>(hvl, r, row.material.table); });
+    check("hvl zonal", row.zonal, [&](const Receiver& r) { return zonal::gather_hvl_zonal<15>(cache, r, table); });
+    check("vsgl", row.vsgl, [&](const Receiver& r) { return gather_vsgl(gaussians, r, brdf); });
+  }
+}

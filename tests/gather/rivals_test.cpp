@@ -234,7 +234,7 @@ TEST_CASE("visibility: each method asks for the lights that contribute, and leav
     const auto lower = [](const glm::vec3& position, const glm::vec3&) { return !(position.z > 0); };
     const auto nothing = [](const glm::vec3&, const glm::vec3&) { return false; };
     const auto check = [&](const auto& gather) {
-      const glm::dvec3 all(gather(zonal::AllVisible()));
+      const glm::dvec3 all(gather(zonal::Visibility()));
       check_close(gather(upper) + gather(lower), all, 1e-5);
       CHECK(gather(nothing) == glm::vec3(0));
       int asked = 0;
@@ -246,13 +246,14 @@ TEST_CASE("visibility: each method asks for the lights that contribute, and leav
       CHECK((asked <= 37 && asked > 0));
     };
     CAPTURE(trial);
-    check([&](const auto& visible) {
+    check([&](const zonal::Visibility& visible) {
       return zonal::gather<5, 3, zonal::Horizon::none>(hvl, receiver, material.table, visible);
     });
-    check([&](const auto& visible) { return gather_vpl(cache, receiver, material.brdf, 1, visible); });
-    check([&](const auto& visible) { return zonal::gather_hvl_zonal<5>(cache, receiver, table, visible); });
-    check([&](const auto& visible) { return gather_vsgl(gaussians, receiver, material.brdf, visible); });
-    check([&](const auto& visible) {
+    check([&](const zonal::Visibility& visible) { return gather_vpl(cache, receiver, material.brdf, 1, visible); });
+    check(
+        [&](const zonal::Visibility& visible) { return zonal::gather_hvl_zonal<5>(cache, receiver, table, visible); });
+    check([&](const zonal::Visibility& visible) { return gather_vsgl(gaussians, receiver, material.brdf, visible); });
+    check([&](const zonal::Visibility& visible) {
       Random same(37);
       return gather_vsl(cache, receiver, material.brdf, 9, same, visible);
     });

@@ -138,7 +138,7 @@ class HvlCache {
 
 /// Outgoing radiance, RGB, at the receiver from all lights of the cache: one bounce, N bands of the receiver's
 /// material (N <= its table's). Negative sums, which ringing can leave, are cut to zero.
-template <int N, int NE, Horizon method = Horizon::smoothstep, class Visibility = AllVisible>
+template <int N, int NE, Horizon method = Horizon::smoothstep>
 glm::vec3 gather(const HvlCache<NE>& cache, const Receiver& receiver, const MaterialTable& material,
                  const Visibility& visible = {}) {
   using Lanes = typename HvlCache<NE>::Lanes;

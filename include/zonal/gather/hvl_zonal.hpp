@@ -63,7 +63,7 @@ ZONAL_INLINE inline void hvl_zonal_radiance(const LightRecord<T>& light, const B
 
 /// Outgoing radiance, RGB, at the receiver from all lights of the cache: one bounce, N bands of the receiver's material
 /// (N <= its table's).
-template <int N, class Visibility = AllVisible>
+template <int N>
 glm::vec3 gather_hvl_zonal(const LightCache& cache, const Receiver& receiver, const ZonalTable& material,
                            const Visibility& visible = {}) {
   using Lanes = PacketArray<LightRecord>::Lanes;

@@ -139,7 +139,7 @@ inline glm::vec3 local_outgoing(const Receiver& receiver) {
 }
 
 /// The sum of radiance(group, record, rgb) over all packets of all groups.
-template <class Visibility, class Radiance>
+template <class Radiance>
 ZONAL_INLINE inline glm::vec3 sum_groups(const LightCache& cache, const Visibility& visible, const Radiance& radiance) {
   glm::vec3 sum(0.0F);
   for (const LightCache::Group& group : cache.groups()) {

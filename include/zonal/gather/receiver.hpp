@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cmath>
-#include <type_traits>
+#include <functional>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -40,14 +40,11 @@ ZONAL_INLINE inline LightDirection<T> look_at(const Record& light, const Receive
   return {{to_light[0] * inverse, to_light[1] * inverse, to_light[2] * inverse}, distance};
 }
 
-/// Nothing stands between. Any callable (light position, light normal: glm::vec3) -> bool can take its place: it is
-/// asked for each light that would contribute, once per receiver, and leaves out those for which it says no. A ray to
-/// the light's centre is what [1, 5.1] does.
+/// Is a light, at this position and with this normal, seen from the receiver? It is asked for each light that would
+/// contribute; an empty one lets all pass. A ray to the light's centre is what [1, 5.1] does.
 ///
 /// [1] Mezieres et al., Harmonics Virtual Lights, CGF 41(6), 2022.
-struct AllVisible {
-  bool operator()(const glm::vec3&, const glm::vec3&) const { return true; }
-};
+using Visibility = std::function<bool(const glm::vec3& position, const glm::vec3& normal)>;
 
 namespace detail {
 
@@ -74,8 +71,8 @@ ReceiverFrame<T> frame_of(const Receiver& receiver) {
 }
 
 /// What one packet of lights contributes, less what the receiver does not see of it, added up.
-template <class Record, class T, class Visibility>
-ZONAL_INLINE inline glm::vec3 visible_sum(const Record& lights, const T (&radiance)[3], const Visibility& visible) {
+template <class Record, class T>
+glm::vec3 visible_sum(const Record& lights, const T (&radiance)[3], const Visibility& visible) {
   glm::vec3 sum(0.0F);
   for (int lane = 0; lane < T::width; ++lane) {
     const glm::vec3 rgb(radiance[0][lane], radiance[1][lane], radiance[2][lane]);
@@ -87,7 +84,7 @@ ZONAL_INLINE inline glm::vec3 visible_sum(const Record& lights, const T (&radian
 }
 
 /// The sum of radiance(record, to[3]) over all packets that `lights` holds.
-template <class Lights, class Visibility, class Radiance>
+template <class Lights, class Radiance>
 ZONAL_INLINE inline glm::vec3 sum_packets(const Lights& lights, const Visibility& visible, const Radiance& radiance) {
   using Lanes = typename Lights::Lanes;
   Lanes sum[3] = {Lanes(0), Lanes(0), Lanes(0)};
@@ -96,10 +93,10 @@ ZONAL_INLINE inline glm::vec3 sum_packets(const Lights& lights, const Visibility
     const auto record = lights.packet(i);
     Lanes rgb[3];
     radiance(record, rgb);
-    if constexpr (std::is_same_v<Visibility, AllVisible>) {
-      for (int c = 0; c < 3; ++c) sum[c] = sum[c] + rgb[c];
-    } else {
+    if (visible) {
       total += visible_sum(record, rgb, visible);
+    } else {
+      for (int c = 0; c < 3; ++c) sum[c] = sum[c] + rgb[c];
     }
   }
   return total + glm::vec3(sum[0].sum(), sum[1].sum(), sum[2].sum());

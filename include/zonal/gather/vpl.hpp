@@ -32,9 +32,8 @@ ZONAL_INLINE inline void vpl_radiance(const LightRecord<T>& light, const Brdf& g
 /// Outgoing radiance, RGB, at a receiver of material `brdf` from all lights of the cache: one bounce. `clamp` is in
 /// radii: a light nearer than that many of its own radii counts as standing there, which takes away the bright spots,
 /// and with them light; 0 leaves all as it is.
-template <class Visibility = AllVisible>
-glm::vec3 gather_vpl(const LightCache& cache, const Receiver& receiver, const Brdf& brdf, float clamp = 0.0F,
-                     const Visibility& visible = {}) {
+inline glm::vec3 gather_vpl(const LightCache& cache, const Receiver& receiver, const Brdf& brdf, float clamp = 0.0F,
+                            const Visibility& visible = {}) {
   using Lanes = PacketArray<LightRecord>::Lanes;
   const auto frame = detail::frame_of<Lanes>(receiver);
   const glm::vec<3, Lanes> outgoing(detail::local_outgoing(receiver));

@@ -328,9 +328,8 @@ ZONAL_INLINE inline void vsgl_radiance(const GaussianRecord<T>& light, const Rec
 }
 
 /// Outgoing radiance, RGB, at a receiver of material `brdf` from all lights of the cache: one bounce.
-template <class Visibility = AllVisible>
-glm::vec3 gather_vsgl(const GaussianCache& cache, const Receiver& receiver, const Brdf& brdf,
-                      const Visibility& visible = {}) {
+inline glm::vec3 gather_vsgl(const GaussianCache& cache, const Receiver& receiver, const Brdf& brdf,
+                             const Visibility& visible = {}) {
   using Lanes = GaussianCache::Lanes;
   const auto frame = detail::frame_of<Lanes>(receiver);
   const glm::vec3 outgoing = detail::local_outgoing(receiver);

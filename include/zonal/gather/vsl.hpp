@@ -165,7 +165,7 @@ ZONAL_INLINE inline void vsl_radiance(const LightRecord<T>& light, const Brdf& g
 
 /// Outgoing radiance, RGB, at a receiver of material `brdf` from all lights of the cache: one bounce. `samples` per
 /// light, 1 to kMaxVslSamples; uniform() returns random floats in [0, 1). Its mean over them is the formula above.
-template <class Uniform, class Visibility = AllVisible>
+template <class Uniform>
 glm::vec3 gather_vsl(const LightCache& cache, const Receiver& receiver, const Brdf& brdf, int samples,
                      Uniform&& uniform, const Visibility& visible = {}) {
   using Lanes = PacketArray<LightRecord>::Lanes;

@@ -27,6 +27,7 @@ Scene load_scene(const Options& options) {
   const glm::vec3 light_target = scene.camera.target;
   apply(options.camera, scene.camera);
   apply(options.light, light_target, scene.light);
+  apply(options.materials, scene.materials);
   return scene;
 }
 

@@ -1,4 +1,4 @@
-// hvl-render: one-bounce global illumination by Harmonics Virtual Lights, beside a path-traced reference.
+// hvl-render: one-bounce global illumination by virtual lights of five kinds, beside a path-traced reference.
 #include <algorithm>
 #include <cstdio>
 #include <memory>
@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "direct_light.hpp"
-#include "gather_hvl.hpp"
+#include "gatherer.hpp"
 #include "lit_scene.hpp"
 #include "options.hpp"
 #include "outputs.hpp"
@@ -19,6 +19,7 @@
 #include "shared/primary_hits.hpp"
 #include "shared/program.hpp"
 #include "shared/progress.hpp"
+#include "time_budget.hpp"
 #include "virtual_lights.hpp"
 
 namespace example::hvl_render {
@@ -42,23 +43,28 @@ struct Renderers {
   const Scene& scene;
   const RayCaster& caster;
   MaterialTables tables;
+  VirtualLightMap map;
   std::unique_ptr<Gatherer> gatherer;  // null: no virtual lights
   std::optional<PathTracer> paths;
 };
 
 void prepare_lights(Renderers& renderers, Report& report) {
-  const Options& options = report.options;
+  Options& options = report.options;
   renderers.tables =
       report.times.time(stage_name::materials, [&] { return project_materials(renderers.scene.materials, options); });
   report.material_error = renderers.tables.error;
   throw_if_interrupted();
+  if (options.time_budget) {
+    report.times.time(stage_name::budget, [&] {
+      options.lights = lights_within_budget(renderers.scene, renderers.caster, renderers.tables, options);
+    });
+  }
   report.times.time(stage_name::lights, [&] {
-    const auto lights = shoot_virtual_lights(renderers.scene, renderers.caster, renderers.tables.emitting, options);
-    const auto side = static_cast<std::size_t>(map_side(options.lights));
-    report.counts.map_lights = side * side;
-    report.counts.virtual_lights = lights.size();
-    renderers.gatherer = make_gatherer(lights, options);
+    renderers.map = shoot_virtual_lights(renderers.scene, renderers.caster, renderers.tables, options);
+    renderers.gatherer = make_gatherer({renderers.scene, renderers.caster, renderers.tables, renderers.map, options});
   });
+  report.counts.map_lights = renderers.map.lights.size();
+  report.counts.virtual_lights = lit(renderers.map).size();
 }
 
 void prepare_paths(Renderers& renderers, Report& report) {
@@ -73,7 +79,8 @@ struct Costs {
   Costs(const Options& options, const Counts& counts) {
     const double paths_per_sample =
         static_cast<double>(counts.samples_per_pixel) / (options.antialias * options.antialias);
-    gather = 0.1 * static_cast<double>(counts.virtual_lights);
+    const double rays_per_light = options.centre_visibility ? 1.0 : options.method == Method::vsl ? 0.5 : 0.1;
+    gather = rays_per_light * static_cast<double>(counts.virtual_lights);
     paths = (3.0 + options.bounces) * paths_per_sample;
   }
 
@@ -96,7 +103,7 @@ class SliceRenderer {
         costs_(report.options, report.counts) {}
 
   void render(Slice slice) {
-    Image& first = renderers_.gatherer ? pictures_.hvl : pictures_.path;
+    Image& first = renderers_.gatherer ? pictures_.lights : pictures_.path;
     const PrimaryHits hits = trace_primary_rays(slice, first);
     report_.counts.primary_hits += hits.count();
     add_direct_light(first, hits);
@@ -127,18 +134,18 @@ class SliceRenderer {
   }
 
   void share_direct_light(const PrimaryHits& hits) {
-    const auto begin = static_cast<std::ptrdiff_t>(pictures_.hvl.index(0, hits.slice().first_row));
+    const auto begin = static_cast<std::ptrdiff_t>(pictures_.lights.index(0, hits.slice().first_row));
     const auto count = static_cast<std::ptrdiff_t>(hits.pixel_count());
-    std::copy_n(pictures_.hvl.pixels.begin() + begin, count, pictures_.path.pixels.begin() + begin);
+    std::copy_n(pictures_.lights.pixels.begin() + begin, count, pictures_.path.pixels.begin() + begin);
   }
 
   void gather(const PrimaryHits& hits) {
-    const auto radiance = [&](const Hit& hit, std::size_t) {
-      return renderers_.gatherer->indirect_radiance(hit, towards_camera(renderers_.scene, hit),
-                                                    renderers_.tables.receiving[hit.material]);
+    const auto radiance = [&](const Hit& hit, std::size_t sample) {
+      return renderers_.gatherer->indirect_radiance(hit, towards_camera(renderers_.scene, hit), sample);
     };
-    report_.times.time(stage_name::gather,
-                       [&] { add_radiance(pictures_.hvl, hits, stage(stage_name::gather, costs_.gather), radiance); });
+    report_.times.time(stage_name::gather, [&] {
+      add_radiance(pictures_.lights, hits, stage(stage_name::gather, costs_.gather), radiance);
+    });
   }
 
   void trace_paths(const PrimaryHits& hits) {
@@ -183,15 +190,15 @@ void run(const Options& options) {
   const auto caster = report.times.time(stage_name::scene, [&] { return std::make_unique<RayCaster>(scene); });
   report.counts.triangles = scene.mesh.triangles.size();
   report.counts.materials = scene.materials.size();
-  Renderers renderers{scene, *caster, MaterialTables(), nullptr, std::nullopt};
+  Renderers renderers{scene, *caster, MaterialTables(), VirtualLightMap(), nullptr, std::nullopt};
   if (options.needs_lights()) prepare_lights(renderers, report);
   if (options.needs_paths()) prepare_paths(renderers, report);
 
   Pictures pictures = render(renderers, report);
-  report.counts.pixels_not_finite = repair(program_name, {&pictures.hvl, &pictures.path});
-  if (options.comparing()) report.errors = compare(pictures.hvl, pictures.path, options.display);
+  report.counts.pixels_not_finite = repair(program_name, {&pictures.lights, &pictures.path});
+  if (options.comparing()) report.errors = compare(pictures.lights, pictures.path, options.display);
   if (reference)
-    report.errors = compare(renderers.gatherer ? pictures.hvl : pictures.path, *reference, options.display);
+    report.errors = compare(renderers.gatherer ? pictures.lights : pictures.path, *reference, options.display);
   throw_if_interrupted();
   outputs.write(pictures, report);
   if (!options.quiet) std::fputs(table(report).c_str(), stdout);

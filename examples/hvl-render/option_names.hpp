@@ -5,7 +5,14 @@
 
 namespace example::hvl_render {
 
-inline const Names<Method> method_names{{"hvl", Method::hvl}, {"path", Method::path}};
+inline const Names<Method> method_names{{"vpl", Method::vpl},
+                                        {"vsl", Method::vsl},
+                                        {"vsgl", Method::vsgl},
+                                        {"hvl", Method::hvl},
+                                        {"hvl-zonal", Method::hvl_zonal},
+                                        {"path", Method::path}};
+/// What --visibility says, as centre_visibility.
+inline const Names<bool> visibility_names{{"none", false}, {"centre", true}};
 inline const Names<HorizonRule> horizon_names{{"smoothstep", HorizonRule::smoothstep}, {"exact", HorizonRule::exact}};
 
 }  // namespace example::hvl_render

@@ -1,12 +1,16 @@
 #include "options.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
-#include "gather_hvl.hpp"
+#include "gatherer.hpp"
 #include "option_names.hpp"
 #include "shared/command_line.hpp"
+#include "shared/input_error.hpp"
 
 namespace example::hvl_render {
 namespace {
@@ -23,17 +27,36 @@ CLI::Validator radius_rule() {
 void add_output_options(CLI::App& app, Options& options) {
   CLI::Option* compare =
       add_compare_option(app, options,
-                         "Render by both methods, and write hvl, reference and difference (red: hvl is brighter) "
-                         "there; excludes --method, --out and --reference");
-  add_choice(app, "--method", method_names, options.method, "Virtual lights, or Monte Carlo paths")
-      ->group(run_group)
-      ->excludes(compare);
+                         "Render by --method and by paths, and write both pictures, named by method and reference, and "
+                         "their difference (red: the method is brighter) there; excludes --out and --reference");
+  add_choice(app, "--method", method_names, options.method,
+             "Virtual lights: points, spheres by sampling, spherical Gaussians, harmonics, zonal harmonics; or Monte "
+             "Carlo paths")
+      ->group(run_group);
   add_out_option(app, options)->excludes(compare);
   app.add_option("--reference", options.reference, "Compare the picture with this one of the same size")
       ->type_name("FILE.exr")
       ->check(not_empty())
       ->group(run_group)
       ->excludes(compare);
+}
+
+void add_material_options(CLI::App& app, Options& options) {
+  app.add_option_function<std::vector<std::string>>(
+         "--material",
+         [&options](const std::vector<std::string>& texts) {
+           for (const std::string& text : texts) options.materials.push_back(parse_material_change(text));
+         },
+         "Make the scene's material NAME (* for all) another; may be repeated. SPEC: " + material_specs() +
+             "; files are of the MERL and RGL databases")
+      ->type_name("NAME=SPEC")
+      ->allow_extra_args(false)
+      ->take_all()
+      ->group(scene_group);
+  app.add_option("--material-cache", options.material_cache, "Keep the projections of files there, for the next run")
+      ->type_name("DIRECTORY")
+      ->check(not_empty())
+      ->group(scene_group);
 }
 
 void add_light_options(CLI::App& app, LightOverrides& light) {
@@ -59,13 +82,20 @@ void set_radius(const std::string& radius, Options& options) {
   }
 }
 
-void add_hvl_options(CLI::App& app, Options& options) {
-  const std::string group = "Harmonics virtual lights";
-  add_number(app, "--lights", options.lights, 1, 1000000, "1...1000000", "How many; rounded up to a square")
+void add_virtual_light_options(CLI::App& app, Options& options) {
+  const std::string group = "Virtual lights";
+  CLI::Option* lights =
+      add_number(app, "--lights", options.lights, 1, 1000000, "1...1000000", "How many; rounded up to a square")
+          ->group(group);
+  app.add_option_function<double>(
+         "--time-budget", [&options](const double& seconds) { options.time_budget = seconds; },
+         "As many as can be shot and gathered in that time")
+      ->type_name("SECONDS")
+      ->check(between(0.001, 1e6, "0.001...1e6 seconds"))
+      ->excludes(lights)
       ->group(group);
-  add_one_of(app, "--bands", options.bands, gather_bands(), "Bands of the receiver's material")->group(group);
-  add_one_of(app, "--emission-bands", options.emission_bands, emission_bands(),
-             "Bands of the light that a virtual light sends out")
+  add_choice(app, "--visibility", visibility_names, options.centre_visibility,
+             "What stands between them and a surface: nothing, or what a ray to the light's centre meets")
       ->group(group);
   app.add_option_function<std::string>(
          "--radius", [&options](const std::string& radius) { set_radius(radius, options); },
@@ -76,8 +106,33 @@ void add_hvl_options(CLI::App& app, Options& options) {
       ->group(group);
   add_number(app, "--radius-factor", options.radius_factor, 0.01f, 100.0f, "0.01...100", "Multiplies r1 and r2")
       ->group(group);
-  add_choice(app, "--horizon", horizon_names, options.horizon, "How the receiver's horizon cuts a light")->group(group);
-  add_choice(app, "--window", window_names, options.window, "What tames the ringing of the materials")->group(group);
+  add_number(app, "--vpl-clamp", options.vpl_clamp, 0.0f, 100.0f, "0...100",
+             "vpl: how many of a light's radii are the least distance that counts; 0 is no clamping")
+      ->group(group);
+  add_number(app, "--vsl-samples", options.vsl_samples, 1, 1024, "1...1024", "vsl: samples of each light's sphere")
+      ->group(group);
+  add_number(app, "--vsgl-texels", options.vsgl_texels, 1, 1024, "1...1024",
+             "vsgl: side of the block of the map that one light stands for; --lights are the blocks")
+      ->group(group);
+}
+
+void add_hvl_options(CLI::App& app, Options& options) {
+  const std::string group = "Harmonics virtual lights";
+  std::vector<int> bands = gather_bands();
+  for (const int number : zonal_bands()) bands.push_back(number);
+  std::sort(bands.begin(), bands.end());
+  bands.erase(std::unique(bands.begin(), bands.end()), bands.end());
+  add_one_of(app, "--bands", options.bands, bands,
+             "Bands of the receiver's material: " + joined(gather_bands()) + " for hvl, " + joined(zonal_bands()) +
+                 " for hvl-zonal")
+      ->group(group);
+  add_one_of(app, "--emission-bands", options.emission_bands, emission_bands(),
+             "hvl: bands of the light that a virtual light sends out")
+      ->group(group);
+  add_choice(app, "--horizon", horizon_names, options.horizon, "hvl: how the receiver's horizon cuts a light")
+      ->group(group);
+  add_choice(app, "--window", window_names, options.window, "hvl: what tames the ringing of the materials")
+      ->group(group);
 }
 
 void add_path_options(CLI::App& app, Options& options) {
@@ -92,13 +147,55 @@ void add_path_options(CLI::App& app, Options& options) {
       ->group(group);
 }
 
+/// The options that only some methods use.
+void check_methods(const CLI::App& app, const Options& options) {
+  using Methods = std::vector<Method>;
+  const Methods hvl{Method::hvl};
+  const std::vector<std::pair<const char*, Methods>> users{
+      {"--vpl-clamp", {Method::vpl}},
+      {"--vsl-samples", {Method::vsl}},
+      {"--vsgl-texels", {Method::vsgl}},
+      {"--bands", {Method::hvl, Method::hvl_zonal}},
+      {"--emission-bands", hvl},
+      {"--horizon", hvl},
+      {"--window", hvl},
+  };
+  const auto fail = [&](const std::string& option) {
+    throw InputError(option + " means nothing to --method " + name_of(method_names, options.method));
+  };
+  for (const auto& [option, methods] : users) {
+    if (app.count(option) > 0 && std::find(methods.begin(), methods.end(), options.method) == methods.end()) {
+      fail(option);
+    }
+  }
+  if (options.needs_lights()) {
+    if (!options.comparing()) {
+      for (const char* option : {"--spp", "--bounces"}) {
+        if (app.count(option) > 0) fail(option);
+      }
+    }
+    return;
+  }
+  if (options.comparing()) throw InputError("--compare renders paths beside another method: choose one");
+  for (const char* option : {"--lights", "--time-budget", "--visibility", "--radius", "--radius-factor"}) {
+    if (app.count(option) > 0) fail(option);
+  }
+}
+
+void check_bands(const Options& options) {
+  const std::vector<int> bands = options.method == Method::hvl_zonal ? zonal_bands() : gather_bands();
+  if (std::find(bands.begin(), bands.end(), options.bands) != bands.end()) return;
+  throw InputError("--bands: '" + std::to_string(options.bands) + "' is not one of " + joined(bands) +
+                   ", which --method " + name_of(method_names, options.method) + " has");
+}
+
 }  // namespace
 
 CommandLine<Options> parse_command_line(int argc, char** argv) {
   CommandLine<Options> line;
   CLI::App app(
-      "Renders a scene lit by one spotlight: direct light, and one bounce by Harmonics\n"
-      "Virtual Lights or by paths.",
+      "Renders a scene lit by one spotlight: direct light, and one bounce by virtual\n"
+      "lights or by paths.",
       "hvl-render");
   set_up(app);
   add_output_options(app, line.options);
@@ -106,9 +203,15 @@ CommandLine<Options> parse_command_line(int argc, char** argv) {
   add_scene_options(app, line.options);
   add_light_options(app, line.options.light);
   add_image_options(app, line.options);
+  add_material_options(app, line.options);
+  add_virtual_light_options(app, line.options);
   add_hvl_options(app, line.options);
   add_path_options(app, line.options);
   line.exit_status = parse(app, argc, argv);
+  if (!line.exit_status) {
+    check_methods(app, line.options);
+    check_bands(line.options);
+  }
   return line;
 }
 

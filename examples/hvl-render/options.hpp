@@ -3,15 +3,17 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <glm/glm.hpp>
 #include <zonal/transform/window.hpp>
 
+#include "material_change.hpp"
 #include "shared/common_options.hpp"
 
 namespace example::hvl_render {
 
-enum class Method { hvl, path };
+enum class Method { vpl, vsl, vsgl, hvl, hvl_zonal, path };
 enum class RadiusRule { neighbours, field_of_view, fixed };  // r1, r2, metres
 enum class HorizonRule { smoothstep, exact };
 
@@ -28,8 +30,16 @@ struct Options : CommonOptions {
 
   LightOverrides light;
 
+  std::vector<MaterialChange> materials;
+  std::string material_cache;  // a directory; empty: none
+
   Method method = Method::hvl;
   int lights = 400;
+  std::optional<double> time_budget;  // seconds for lights and gather; sets the number of lights
+  bool centre_visibility = false;
+  float vpl_clamp = 0.0f;  // radii
+  int vsl_samples = 25;
+  int vsgl_texels = 8;
   int bands = 5;
   int emission_bands = 3;
   RadiusRule radius = RadiusRule::field_of_view;
@@ -44,7 +54,7 @@ struct Options : CommonOptions {
 
   std::string reference;
 
-  bool needs_lights() const { return comparing() || method == Method::hvl; }
+  bool needs_lights() const { return method != Method::path; }
   bool needs_paths() const { return comparing() || method == Method::path; }
 };
 

@@ -1,5 +1,6 @@
 #include "outputs.hpp"
 
+#include "option_names.hpp"
 #include "shared/image_file.hpp"
 
 namespace example::hvl_render {
@@ -10,7 +11,8 @@ Outputs::Outputs(const Options& options) : report_(options.report) {
   if (options.comparing()) {
     const fs::path folder(options.compare_directory);
     directory_.emplace(folder);
-    hvl_ = {folder / "hvl.png", folder / "hvl.exr"};
+    const std::string method = name_of(method_names, options.method);
+    lights_ = {folder / (method + ".png"), folder / (method + ".exr")};
     reference_ = {folder / "reference.png", folder / "reference.exr"};
     difference_ = folder / "difference.png";
   } else {
@@ -24,7 +26,7 @@ std::vector<fs::path> Outputs::all() const {
   for (const fs::path& path : {picture_, report_, difference_}) {
     if (!path.empty()) paths.push_back(path);
   }
-  paths.insert(paths.end(), hvl_.begin(), hvl_.end());
+  paths.insert(paths.end(), lights_.begin(), lights_.end());
   paths.insert(paths.end(), reference_.begin(), reference_.end());
   return paths;
 }
@@ -32,13 +34,13 @@ std::vector<fs::path> Outputs::all() const {
 void Outputs::write(const Pictures& pictures, const Report& report) const {
   const Display& display = report.options.display;
   OutputBatch batch;
-  for (const fs::path& path : hvl_) batch.add(path, picture_bytes(path, pictures.hvl, display));
+  for (const fs::path& path : lights_) batch.add(path, picture_bytes(path, pictures.lights, display));
   for (const fs::path& path : reference_) batch.add(path, picture_bytes(path, pictures.path, display));
   if (!difference_.empty()) {
-    batch.add(difference_, png_bytes(difference_map(pictures.hvl, pictures.path, display)));
+    batch.add(difference_, png_bytes(difference_map(pictures.lights, pictures.path, display)));
   }
   if (!picture_.empty()) {
-    const Image& only = pictures.hvl.width > 0 ? pictures.hvl : pictures.path;
+    const Image& only = pictures.lights.width > 0 ? pictures.lights : pictures.path;
     batch.add(picture_, picture_bytes(picture_, only, display));
   }
   if (!report_.empty()) batch.add(report_, json_text(report));

@@ -13,7 +13,7 @@ namespace example::hvl_render {
 
 /// Linear radiance; an image that no one asked for is empty.
 struct Pictures {
-  Image hvl;
+  Image lights;  // by virtual lights
   Image path;
 };
 
@@ -31,7 +31,7 @@ class Outputs {
   // Empty where there is none.
   std::filesystem::path picture_;
   std::filesystem::path report_;
-  std::vector<std::filesystem::path> hvl_, reference_;  // one for each format
+  std::vector<std::filesystem::path> lights_, reference_;  // one for each format
   std::filesystem::path difference_;
   std::optional<OutputDirectory> directory_;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "option_names.hpp"
 #include "shared/text_table.hpp"
 
 namespace example::hvl_render {
@@ -33,16 +34,22 @@ void add_errors(Column& column, const ImageErrors& errors) {
   if (std::isfinite(errors.ssim)) column.ssim = format("%.4f", errors.ssim);
 }
 
-Column hvl_column(const Report& report) {
+Column lights_column(const Report& report) {
   const StageTimes& times = report.times;
   const double materials = times.seconds(stage_name::materials);
   const double lights = times.seconds(stage_name::lights);
   const double gather = times.seconds(stage_name::gather);
   Column column;
-  column.method = "hvl";
-  column.samples = std::to_string(report.counts.virtual_lights) + " lights";
-  column.bands = std::to_string(report.options.bands) + ", emission " + std::to_string(report.options.emission_bands);
-  column.materials = seconds_text(materials);
+  const Options& options = report.options;
+  column.method = name_of(method_names, options.method);
+  column.samples =
+      std::to_string(report.counts.virtual_lights) + (options.method == Method::vsgl ? " texels" : " lights");
+  if (options.method == Method::vsl) column.samples += ", " + std::to_string(options.vsl_samples) + " samples";
+  if (options.method == Method::hvl) {
+    column.bands = std::to_string(options.bands) + ", emission " + std::to_string(options.emission_bands);
+  }
+  if (options.method == Method::hvl_zonal) column.bands = std::to_string(options.bands);
+  if (materials > 0.001) column.materials = seconds_text(materials);
   column.lights = seconds_text(lights);
   column.indirect = seconds_text(gather);
   add_shared(column, times, materials + lights + gather);
@@ -102,19 +109,23 @@ double nanoseconds_per_gather(const Report& report) {
 
 std::string table(const Report& report) {
   std::vector<Column> columns;
-  if (report.options.needs_lights()) columns.push_back(hvl_column(report));
+  if (report.options.needs_lights()) columns.push_back(lights_column(report));
   if (report.options.needs_paths()) columns.push_back(path_column(report));
   std::string text = align(table_rows(columns));
   const auto asked = static_cast<std::size_t>(report.options.lights);
-  if (report.options.needs_lights() && report.counts.map_lights != asked) {
+  if (report.options.time_budget) {
+    text += format("%.3g s were given for lights and gather: %zu lights, %.3g s.\n", *report.options.time_budget, asked,
+                   report.times.seconds(stage_name::lights) + report.times.seconds(stage_name::gather));
+  } else if (report.options.needs_lights() && report.options.method != Method::vsgl &&
+             report.counts.map_lights != asked) {
     text += format("%zu lights were asked for: the map has %zu, the next square.\n", asked, report.counts.map_lights);
   }
   if (report.options.needs_lights() && report.counts.virtual_lights != report.counts.map_lights) {
     text += format("%zu of them carry no light.\n", report.counts.map_lights - report.counts.virtual_lights);
   }
   if (report.options.comparing()) {
-    text += format("Difference: red where hvl is brighter, blue where darker; full at %.2f of luma.\n",
-                   static_cast<double>(difference_full_scale));
+    text += format("Difference: red where %s is brighter, blue where darker; full at %.2f of luma.\n",
+                   name_of(method_names, report.options.method).c_str(), static_cast<double>(difference_full_scale));
   }
   return text;
 }

@@ -13,6 +13,7 @@ namespace example::hvl_render {
 /// The stages of a run, as the report names them.
 namespace stage_name {
 using namespace example::stage_name;
+inline constexpr const char* budget = "number of lights";
 inline constexpr const char* lights = "virtual lights";
 inline constexpr const char* direct = "direct light";
 inline constexpr const char* gather = "gather";

@@ -22,10 +22,23 @@ nlohmann::json view_json(const Options& options) {
   return json;
 }
 
+nlohmann::json materials_json(const std::vector<MaterialChange>& changes) {
+  nlohmann::json json = nlohmann::json::array();
+  for (const MaterialChange& change : changes) json.push_back(change.name + "=" + change.spec);
+  return json;
+}
+
 nlohmann::json options_json(const Options& options) {
   nlohmann::json json = common_options_json(options);
   json.update({{"view", view_json(options)},
-               {"method", options.comparing() ? "compare" : name_of(method_names, options.method)},
+               {"method", name_of(method_names, options.method)},
+               {"compare", options.comparing()},
+               {"time_budget_seconds", options.time_budget ? nlohmann::json(*options.time_budget) : nlohmann::json()},
+               {"visibility", name_of(visibility_names, options.centre_visibility)},
+               {"vpl_clamp", options.vpl_clamp},
+               {"vsl_samples", options.vsl_samples},
+               {"vsgl_texels", options.vsgl_texels},
+               {"materials", materials_json(options.materials)},
                {"lights", options.lights},
                {"bands", options.bands},
                {"emission_bands", options.emission_bands},
@@ -69,9 +82,9 @@ std::string json_text(const Report& report) {
   }
   if (report.errors) json["errors"] = errors_json(*report.errors);
   if (report.options.comparing()) {
-    json["difference_map"] = {{"quantity", "display luma, hvl minus reference"},
-                              {"red", "hvl is brighter"},
-                              {"blue", "hvl is darker"},
+    json["difference_map"] = {{"quantity", "display luma, the method minus reference"},
+                              {"red", "the method is brighter"},
+                              {"blue", "the method is darker"},
                               {"saturates_at", difference_full_scale}};
   }
   return file_text(json);

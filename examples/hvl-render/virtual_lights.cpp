@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include <tbb/parallel_for.h>
 #include <zonal/gather/radius.hpp>
+#include <zonal/material/material_file.hpp>
 #include <zonal/transform/window.hpp>
 
 #include "shared/interrupt.hpp"
@@ -13,7 +15,7 @@ namespace example::hvl_render {
 namespace {
 
 /// The light of one texel of the spotlight's map; its flux is zero where there is none.
-zonal::VirtualLight shoot(const Scene& scene, const RayCaster& caster, const std::vector<zonal::MaterialTable>& tables,
+zonal::VirtualLight shoot(const Scene& scene, const RayCaster& caster, const MaterialTables& tables,
                           const glm::vec2& texel, float texel_solid_angle) {
   const glm::vec3 direction = cone_direction(scene.light, texel);
   zonal::VirtualLight light{};
@@ -23,7 +25,8 @@ zonal::VirtualLight shoot(const Scene& scene, const RayCaster& caster, const std
   light.position = hit->position;
   light.normal = hit->normal;
   light.primary_distance = hit->distance;
-  light.material = &tables[hit->material];
+  light.brdf = &scene.materials[hit->material].brdf;
+  if (!tables.emitting.empty()) light.material = &tables.emitting[hit->material];
   // Intensity times solid angle is all the light that lands there, whatever the surface's slope.
   light.flux = scene.light.intensity_towards(direction) * texel_solid_angle;
   return light;
@@ -41,35 +44,69 @@ void set_radii(std::vector<zonal::VirtualLight>& map, int side, const Spotlight&
 
 }  // namespace
 
-int map_side(int lights) { return static_cast<int>(std::ceil(std::sqrt(static_cast<double>(lights)))); }
+int block_side(const Options& options) { return options.method == Method::vsgl ? options.vsgl_texels : 1; }
 
-std::vector<zonal::VirtualLight> shoot_virtual_lights(const Scene& scene, const RayCaster& caster,
-                                                      const std::vector<zonal::MaterialTable>& tables,
-                                                      const Options& options) {
-  const int side = map_side(options.lights);
-  const float texel_solid_angle = scene.light.solid_angle() / static_cast<float>(side * side);
-  std::vector<zonal::VirtualLight> map(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
+int map_side(const Options& options) {
+  return static_cast<int>(std::ceil(std::sqrt(static_cast<double>(options.lights)))) * block_side(options);
+}
+
+VirtualLightMap shoot_virtual_lights(const Scene& scene, const RayCaster& caster, const MaterialTables& tables,
+                                     const Options& options) {
+  const int side = map_side(options);
+  const float texel_solid_angle = scene.light.solid_angle() / (static_cast<float>(side) * static_cast<float>(side));
+  VirtualLightMap map{side, {}};
+  map.lights.resize(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
   tbb::parallel_for(0, side * side, [&](int i) {
     const glm::vec2 texel((static_cast<float>(i % side) + 0.5f) / static_cast<float>(side),
                           (static_cast<float>(i / side) + 0.5f) / static_cast<float>(side));
-    map[static_cast<std::size_t>(i)] = shoot(scene, caster, tables, texel, texel_solid_angle);
+    map.lights[static_cast<std::size_t>(i)] = shoot(scene, caster, tables, texel, texel_solid_angle);
   });
-  // Radii look at neighbours in the map, so the dark ones go afterwards.
-  set_radii(map, side, scene.light, options);
-  std::erase_if(map, [](const zonal::VirtualLight& light) { return light.flux == glm::vec3(0.0f); });
+  set_radii(map.lights, side, scene.light, options);
   return map;
 }
 
-MaterialTables project_materials(const std::vector<Material>& materials, const Options& options) {
-  const int bands = std::max(options.bands, options.emission_bands);
+std::vector<zonal::VirtualLight> lit(const VirtualLightMap& map) {
+  std::vector<zonal::VirtualLight> lights = map.lights;
+  std::erase_if(lights, [](const zonal::VirtualLight& light) { return light.flux == glm::vec3(0.0f); });
+  return lights;
+}
+
+namespace {
+
+constexpr double model_tolerance = 1e-4;
+constexpr double measured_tolerance = 1e-3;  // for the kinks between samples, a tenth of the time
+
+/// From the cache, where there is one and the material comes from a file.
+zonal::MaterialTable project(const Material& material, int bands, const Options& options) {
   const auto for_each = [](int count, const auto& body) { tbb::parallel_for(0, count, body); };
+  const double tolerance = material.file.empty() ? model_tolerance : measured_tolerance;
+  if (material.file.empty() || options.material_cache.empty()) {
+    return zonal::project_material(material.brdf, bands, tolerance, for_each);
+  }
+  constexpr int all_bands = zonal::MaterialTable::max_bands;
+  const std::filesystem::path path =
+      std::filesystem::path(options.material_cache) / (material.file.filename().string() + ".table");
+  return zonal::cached_material_table(path, zonal::material_fingerprint(material.file, all_bands, tolerance), [&] {
+    return zonal::project_material(material.brdf, all_bands, tolerance, for_each);
+  });
+}
+
+}  // namespace
+
+MaterialTables project_materials(const std::vector<Material>& materials, const Options& options) {
+  const auto for_each = [](int count, const auto& body) { tbb::parallel_for(0, count, body); };
+  const int bands = std::max(options.bands, options.emission_bands);
   MaterialTables tables;
   for (const Material& material : materials) {
     throw_if_interrupted();
-    const zonal::MaterialTable table = zonal::project_material(material.brdf, bands, 1e-4, for_each);
-    tables.receiving.push_back(table.windowed(options.window, options.bands));
-    tables.emitting.push_back(table.windowed(options.window, options.emission_bands));
-    tables.error = std::max(tables.error, table.achieved_error());
+    if (options.method == Method::hvl_zonal) {
+      tables.zonal.push_back(zonal::project_zonal(material.brdf, options.bands, model_tolerance, for_each));
+    } else if (options.method == Method::hvl) {
+      const zonal::MaterialTable table = project(material, bands, options);
+      tables.receiving.push_back(table.windowed(options.window, options.bands));
+      tables.emitting.push_back(table.windowed(options.window, options.emission_bands));
+      tables.error = std::max(tables.error, table.achieved_error());
+    }
   }
   return tables;
 }

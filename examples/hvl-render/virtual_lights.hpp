@@ -4,6 +4,7 @@
 
 #include <zonal/gather/virtual_light.hpp>
 #include <zonal/material/material_table.hpp>
+#include <zonal/material/zonal_table.hpp>
 
 #include "options.hpp"
 #include "shared/ray_caster.hpp"
@@ -11,23 +12,34 @@
 
 namespace example::hvl_render {
 
-/// A scene's materials, projected: windowed for the bands with which a receiver reads them, and for those of
-/// a virtual light's emission.
+/// A scene's materials as the method needs them; what it does not need is empty. For HVL, windowed for the bands with
+/// which a receiver reads them, and for those of a virtual light's emission.
 struct MaterialTables {
   std::vector<zonal::MaterialTable> receiving;
   std::vector<zonal::MaterialTable> emitting;
+  std::vector<zonal::ZonalTable> zonal;
   double error = 0.0;  // greatest of the projections, of each table's largest coefficient
 };
 
 MaterialTables project_materials(const std::vector<Material>& materials, const Options& options);
 
-/// The side of the square map that holds at least `lights`.
-int map_side(int lights);
+/// One virtual light where each ray of the spotlight's square map lands, with its radius set. Rays that find no
+/// surface, or carry no light, leave one without flux.
+struct VirtualLightMap {
+  int side = 0;
+  std::vector<zonal::VirtualLight> lights;  // row by row
+};
 
-/// One virtual light where each ray of the spotlight's map lands, with its radius set. Rays that find no
-/// surface, or carry no light, leave none.
-std::vector<zonal::VirtualLight> shoot_virtual_lights(const Scene& scene, const RayCaster& caster,
-                                                      const std::vector<zonal::MaterialTable>& tables,
-                                                      const Options& options);
+/// The side of the square map for the options' lights: as many lights at least, or as many blocks.
+int map_side(const Options& options);
+
+/// Texels along one side of what one light stands for.
+int block_side(const Options& options);
+
+VirtualLightMap shoot_virtual_lights(const Scene& scene, const RayCaster& caster, const MaterialTables& tables,
+                                     const Options& options);
+
+/// Those that carry light.
+std::vector<zonal::VirtualLight> lit(const VirtualLightMap& map);
 
 }  // namespace example::hvl_render

@@ -4,7 +4,9 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "materials.hpp"
 #include "mesh_builder.hpp"
+#include "names.hpp"
 
 namespace example {
 namespace {
@@ -192,26 +194,36 @@ void add_vase(MeshBuilder& builder, const glm::vec3& foot) {
 /// Adds materials to a scene; each returns the material's number.
 class Palette {
  public:
-  explicit Palette(Scene& scene) : scene_(scene) {}
+  Palette(Scene& scene, AtriumFinish finish) : scene_(scene), finish_(finish) {}
 
-  std::uint32_t matte(const char* name, const glm::vec3& albedo) { return add(name, {zonal::LambertBrdf{albedo}}); }
-
-  /// A diffuse body under a coat of refractive index 1.5.
-  std::uint32_t coated(const char* name, const glm::vec3& albedo, float roughness) {
-    return add(name, {zonal::LambertBrdf{albedo}, zonal::GgxBrdf{roughness, zonal::DielectricFresnel{1.5f}}});
+  /// In the glossy atrium a lacquer, which mirrors a quarter of the light in the surface's own colour.
+  std::uint32_t matte(const char* name, const glm::vec3& albedo) {
+    if (finish_ != AtriumFinish::glossy) return add(name, example::matte(albedo));
+    const zonal::SchlickFresnel lacquer{0.05f + 0.25f * albedo};
+    return add(name, {{zonal::LambertBrdf{0.7f * albedo}, zonal::GgxBrdf{0.2f, lacquer}}});
   }
 
-  std::uint32_t metal(const char* name, const glm::vec3& eta, const glm::vec3& k, float roughness) {
-    return add(name, {zonal::GgxBrdf{roughness, zonal::ConductorFresnel{eta, k}}});
+  /// In the glossy atrium the same lacquer.
+  std::uint32_t coated(const char* name, const glm::vec3& albedo, float roughness) {
+    if (finish_ == AtriumFinish::diffuse) return add(name, example::matte(albedo));
+    return finish_ == AtriumFinish::glossy ? matte(name, albedo) : add(name, plastic(albedo, roughness));
+  }
+
+  /// In the diffuse atrium a paint of its colour.
+  std::uint32_t metal(const char* name, float roughness) {
+    const Metal& metal = *find_metal(name);
+    if (finish_ == AtriumFinish::diffuse) return add(name, example::matte(zonal::reflectance(metal.fresnel, 1.0f)));
+    return add(name, example::metal(metal, roughness));
   }
 
  private:
-  std::uint32_t add(const char* name, std::vector<zonal::BrdfLobe> lobes) {
-    scene_.materials.push_back({name, zonal::Brdf{std::move(lobes)}});
+  std::uint32_t add(const char* name, zonal::Brdf brdf) {
+    scene_.materials.push_back({name, std::move(brdf)});
     return static_cast<std::uint32_t>(scene_.materials.size() - 1);
   }
 
   Scene& scene_;
+  AtriumFinish finish_;
 };
 
 void add_hall(MeshBuilder& builder, Palette& palette) {
@@ -235,7 +247,7 @@ void add_hall(MeshBuilder& builder, Palette& palette) {
 }
 
 void add_furniture(MeshBuilder& builder, Palette& palette, std::uint32_t stone) {
-  const std::uint32_t gold = palette.metal("gold", {0.143f, 0.375f, 1.442f}, {3.983f, 2.386f, 1.603f}, 0.25f);
+  const std::uint32_t gold = palette.metal("gold", 0.25f);
   const std::uint32_t red_plastic = palette.coated("red plastic", {0.60f, 0.045f, 0.04f}, 0.22f);
   const std::uint32_t porcelain = palette.coated("porcelain", {0.78f, 0.78f, 0.76f}, 0.18f);
   add_pedestal(builder.use(stone), {0.0f, 0.0f, -5.9f}, 0.55f, 0.9f);
@@ -247,10 +259,10 @@ void add_furniture(MeshBuilder& builder, Palette& palette, std::uint32_t stone) 
 
 }  // namespace
 
-Scene make_atrium() {
+Scene make_atrium(AtriumFinish finish) {
   Scene scene;
-  scene.name = "atrium";
-  Palette palette(scene);
+  scene.name = name_of(atrium_names, finish);
+  Palette palette(scene, finish);
   MeshBuilder builder(scene.mesh);
   add_hall(builder, palette);
   const std::uint32_t stone = palette.matte("sandstone", {0.80f, 0.71f, 0.58f});

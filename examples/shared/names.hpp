@@ -8,6 +8,7 @@
 #include <zonal/transform/window.hpp>
 
 #include "image.hpp"
+#include "scene.hpp"
 
 namespace example {
 
@@ -22,6 +23,9 @@ std::string name_of(const Names<Value>& names, Value value) {
 }
 
 inline const Names<ToneMap> tone_names{{"filmic", ToneMap::filmic}, {"clamp", ToneMap::clamp}};
+inline const Names<AtriumFinish> atrium_names{{"atrium", AtriumFinish::mixed},
+                                              {"atrium-diffuse", AtriumFinish::diffuse},
+                                              {"atrium-glossy", AtriumFinish::glossy}};
 inline const Names<zonal::Window> window_names{
     {"none", zonal::Window::none}, {"hann", zonal::Window::hann}, {"sinc", zonal::Window::sinc}};
 

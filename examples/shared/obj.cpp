@@ -10,6 +10,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "input_error.hpp"
+#include "materials.hpp"
 #include "mesh_builder.hpp"
 #include "obj_check.hpp"
 
@@ -42,8 +43,6 @@ Material make_material(const tinyobj::material_t& source) {
   }
   return material;
 }
-
-Material matte(const char* name, const glm::vec3& albedo) { return {name, zonal::Brdf{{zonal::LambertBrdf{albedo}}}}; }
 
 /// Copies triangles out of tinyobjloader, each pair of position and normal once.
 class ObjMesh {
@@ -148,9 +147,9 @@ void fit_view(Scene& scene, const Bounds& bounds) {
 /// A floor under the object, a wall behind it, and a coloured wall on the side away from the light.
 void add_stage(Scene& scene, const Bounds& bounds) {
   const auto floor = static_cast<std::uint32_t>(scene.materials.size());
-  scene.materials.push_back(matte("stage floor", {0.72f, 0.70f, 0.66f}));
-  scene.materials.push_back(matte("stage back wall", {0.30f, 0.45f, 0.66f}));
-  scene.materials.push_back(matte("stage side wall", {0.74f, 0.30f, 0.14f}));
+  scene.materials.push_back({"stage floor", matte({0.72f, 0.70f, 0.66f})});
+  scene.materials.push_back({"stage back wall", matte({0.30f, 0.45f, 0.66f})});
+  scene.materials.push_back({"stage side wall", matte({0.74f, 0.30f, 0.14f})});
   const float size = 5.0f * bounds.radius();
   const float ground = bounds.lower.y;
   const float back = bounds.lower.z - 0.5f * bounds.radius();
@@ -205,7 +204,7 @@ Scene load_obj(const std::string& path, bool stage) {
   scene.name = std::filesystem::path(path).filename().string();
   for (const tinyobj::material_t& source : reader.GetMaterials()) scene.materials.push_back(make_material(source));
   const auto default_material = static_cast<std::uint32_t>(scene.materials.size());
-  scene.materials.push_back(matte("default", glm::vec3(0.7f)));
+  scene.materials.push_back({"default", matte(glm::vec3(0.7f))});
   try {
     ObjMesh(reader, scene.mesh).copy(reader, default_material);
   } catch (const InputError& error) {

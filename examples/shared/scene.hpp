@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ namespace example {
 struct Material {
   std::string name;
   zonal::Brdf brdf;
+  std::filesystem::path file{};  // of a measured material; else empty
 };
 
 /// Indexed triangles with one unit normal per vertex and one material per triangle.
@@ -47,8 +49,9 @@ struct Scene {
 
 Bounds bounds_of(const Mesh& mesh);
 
-/// The built-in hall of columns.
-Scene make_atrium();
+/// The built-in hall of columns: of matte and glossy materials, of matte ones alone, or glossy all over.
+enum class AtriumFinish { mixed, diffuse, glossy };
+Scene make_atrium(AtriumFinish finish = AtriumFinish::mixed);
 
 /// An OBJ file and its MTL, camera and light fitted to it; `stage` puts it on a floor before a wall. Throws
 /// InputError.

@@ -1,11 +1,15 @@
 #include "view.hpp"
 
 #include "input_error.hpp"
+#include "names.hpp"
 
 namespace example {
 
 Scene open_scene(const CommonOptions& options) {
-  return options.scene == "atrium" ? make_atrium() : load_obj(options.scene, options.stage);
+  for (const auto& [name, finish] : atrium_names) {
+    if (options.scene == name) return make_atrium(finish);
+  }
+  return load_obj(options.scene, options.stage);
 }
 
 void apply(const CameraOverrides& overrides, Camera& camera) {

@@ -31,9 +31,6 @@ const Result* find(const Results& results, const std::string& name);
 /// How many runs the medians are of.
 std::size_t runs(const Results& results);
 
-/// Compiler, flags, processor; lines.
-std::string machine();
-
 template <class... Arguments>
 std::string format(const char* pattern, Arguments... arguments) {
   char text[160];

@@ -43,17 +43,21 @@ auto random_inputs() {
   return inputs;
 }
 
+/// The loop that is measured.
+template <class Kernel, class Inputs>
+void run_on_all(const Inputs& inputs) {
+  for (const auto& input : inputs) {
+    const auto result = Kernel::run(input);
+    // Of the address alone: the whole result must then stand in memory, but nothing copies it.
+    const auto* address = &result;
+    benchmark::DoNotOptimize(address);
+  }
+}
+
 template <class Kernel, class T>
 void run_kernel(benchmark::State& state) {
   const auto inputs = random_inputs<typename Kernel::Domain, T>();
-  for (auto _ : state) {
-    for (const auto& input : inputs) {
-      const auto result = Kernel::run(input);
-      // Of the address alone: the whole result must then stand in memory, but nothing copies it.
-      const auto* address = &result;
-      benchmark::DoNotOptimize(address);
-    }
-  }
+  for (auto _ : state) run_on_all<Kernel>(inputs);
   set_counters(state, Kernel::name, Kernel::bands, inputs.size() * Scalar<T>::lanes, Scalar<T>::lanes);
 }
 

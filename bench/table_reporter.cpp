@@ -31,7 +31,8 @@ class TableReporter : public benchmark::BenchmarkReporter {
   void Finalize() override {
     auto& out = GetOutputStream();
     const std::size_t count = runs(results_);
-    out << machine() << ", " << (count > 1 ? format("medians of %zu runs", count) : "a single run") << "\n\n";
+    out << compiler() << "\n"
+        << processor() << ", " << (count > 1 ? format("medians of %zu runs", count) : "a single run") << "\n\n";
     print_hvl_figure_6(out, results_);
     out << "\n";
     print_gradient_table_1(out, results_);

@@ -1,0 +1,137 @@
+// A closed white sphere whose walls send out a radiance of 1, by virtual lights: what a patch of a material on the wall
+// reflects by each gather, over what it reflects of uniform light.
+#include <array>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <zonal/gather/hvl.hpp>
+#include <zonal/gather/hvl_zonal.hpp>
+#include <zonal/gather/vpl.hpp>
+#include <zonal/gather/vsgl.hpp>
+#include <zonal/gather/vsl.hpp>
+
+#include "../kernels.hpp"
+#include "materials.hpp"
+#include "report.hpp"
+
+namespace zonal_report {
+namespace {
+
+using zonal::Receiver;
+
+struct Material {
+  std::string name;
+  zonal::Brdf brdf;
+  zonal::MaterialTable table;
+  zonal::ZonalTable zonal_table;
+
+  Material(std::string name_, zonal::Brdf brdf_)
+      : name(std::move(name_)),
+        brdf(std::move(brdf_)),
+        table(zonal::project_material(brdf, zonal::MaterialTable::max_bands)),
+        zonal_table(zonal::project_zonal(brdf, zonal::ZonalTable::max_bands)) {}
+};
+
+// side^2 lights on a spiral over the unit sphere, each as large as its share of it.
+std::vector<zonal::VirtualLight> furnace(int side, const Material& white) {
+  const int count = side * side;
+  const double pi = double(zonal::kPi);
+  std::vector<zonal::VirtualLight> lights(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    const double z = 1 - (2 * i + 1.0) / count, phi = i * pi * (3 - std::sqrt(5.0)), r = std::sqrt(1 - z * z);
+    zonal::VirtualLight& light = lights[std::size_t(i)];
+    light.position = glm::vec3(r * std::cos(phi), r * std::sin(phi), z);
+    light.normal = light.to_primary = -light.position;
+    light.flux = glm::vec3(float(pi * 4 * pi / count));  // E = pi where the radiance of white is 1
+    light.primary_distance = 1;
+    light.radius = float(2 / std::sqrt(double(count)));
+    light.material = &white.table;
+    light.brdf = &white.brdf;
+  }
+  return lights;
+}
+
+// The mean over receivers all over the wall, seen from `degrees`, over the material's albedo there.
+template <class Gather>
+double relative_energy(const Material& material, double degrees, int receivers, const Gather& gather) {
+  const double theta = degrees / 180 * double(zonal::kPi);
+  const auto cosine = float(std::cos(theta)), sine = float(std::sin(theta));
+  const double albedo =
+      double(material.table.with_cosine<1>(cosine)[0].x) * 2 * double(zonal::constexpr_sqrt(zonal::kPi));
+  zonal_bench::Random random(5);
+  const auto direction = [&random] {
+    const auto v = zonal_bench::random_direction(random);
+    return glm::vec3(v[0], v[1], v[2]);
+  };
+  double sum = 0;
+  for (int i = 0; i < receivers; ++i) {
+    const glm::vec3 position = direction(), normal = -position;
+    const glm::vec3 tangent = glm::normalize(glm::cross(normal, direction()));
+    sum += double(gather(Receiver{position, normal, cosine * normal + sine * tangent}).x);
+  }
+  return sum / receivers / albedo;
+}
+
+class Furnace {
+ public:
+  Furnace(int side, const Material& white, int receivers)
+      : lights_(furnace(side, white)),
+        cache_(lights_),
+        harmonics_(lights_),
+        gaussians_(zonal::make_gaussian_lights(lights_.data(), side, 1)),
+        receivers_(receivers) {}
+
+  void print_all(const Material& material, double degrees) const {
+    const zonal::Brdf& brdf = material.brdf;
+    const auto print = [&](const char* method, int bands, const auto& gather) {
+      print_row(method, material.name, degrees, bands, lights_.size(),
+                relative_energy(material, degrees, receivers_, gather));
+    };
+    std::mt19937 engine(6);
+    const auto uniform = [&engine] { return float(engine() >> 8) * 0x1p-24F; };
+    print("vpl", 0, [&](const Receiver& r) { return zonal::gather_vpl(cache_, r, brdf); });
+    print("vpl, clamped at 1 radius", 0, [&](const Receiver& r) { return zonal::gather_vpl(cache_, r, brdf, 1); });
+    print("vsl, 16 samples", 0, [&](const Receiver& r) { return zonal::gather_vsl(cache_, r, brdf, 16, uniform); });
+    print("vsgl", 0, [&](const Receiver& r) { return zonal::gather_vsgl(gaussians_, r, brdf); });
+    zonal::unroll<0, int(std::size(all_bands))>([&](auto i) {
+      constexpr int n = all_bands[int{i}];
+      print("hvl", n, [&](const Receiver& r) { return zonal::gather<n>(harmonics_, r, material.table); });
+      print("hvl-zonal", n,
+            [&](const Receiver& r) { return zonal::gather_hvl_zonal<n>(cache_, r, material.zonal_table); });
+    });
+  }
+
+ private:
+  static constexpr int all_bands[] = {1, 2, 3, 4, 5, 7, 9, 11, 15, 21};
+
+  std::vector<zonal::VirtualLight> lights_;
+  zonal::LightCache cache_;
+  zonal::HvlCache<1> harmonics_;
+  zonal::GaussianCache gaussians_;
+  int receivers_;
+};
+
+}  // namespace
+
+void print_furnace(Effort effort) {
+  print_row("method", "material", "degrees", "bands", "lights", "relative_energy");
+  std::vector<Material> materials;
+  materials.reserve(4);
+  materials.emplace_back("Lambert", matte(glm::vec3(1)));
+  for (const float roughness : {0.6F, 0.25F, 0.1F}) {
+    materials.emplace_back("GGX " + std::to_string(roughness).substr(0, roughness == 0.25F ? 4 : 3),
+                           white_ggx(roughness));
+  }
+  const auto sides = choose<std::vector<int>>(effort, {10}, {10, 20, 40}, {10, 20, 40, 80});
+  for (const int side : sides) {
+    const Furnace furnace(side, materials.front(), choose(effort, 20, 200, 1000));
+    for (const Material& material : materials) {
+      for (const double degrees : {0.0, 60.0}) furnace.print_all(material, degrees);
+    }
+  }
+}
+
+}  // namespace zonal_report

@@ -15,13 +15,15 @@
 
 namespace zonal_report {
 
-/// Inputs that are hard: every second direction lies at 1e-1 to 1e-7 from a pole, every second cap is as small.
+/// Inputs that are hard: every second direction lies at 1e-1 to 1e-7 from a pole, every second cap has a half angle of
+/// 1e-1 to 1e-4.
 template <class Domain>
 auto draw_hard(zonal_bench::Random& random, int index) {
   auto numbers = Domain::draw(random);
   if (index % 2 == 0) return numbers;
   std::uniform_real_distribution<double> uniform;
-  const double angle = std::pow(10.0, -1 - 6 * uniform(random)), phi = 2 * double(zonal::kPi) * uniform(random);
+  const double decades = Domain::inputs == 2 ? 3 : 6;
+  const double angle = std::pow(10.0, -1 - decades * uniform(random)), phi = 2 * double(zonal::kPi) * uniform(random);
   if constexpr (Domain::inputs == 2) {
     numbers = {std::cos(angle), std::sin(angle)};
   } else {

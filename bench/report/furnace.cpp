@@ -93,8 +93,8 @@ class Furnace {
     std::mt19937 engine(6);
     const auto uniform = [&engine] { return float(engine() >> 8) * 0x1p-24F; };
     print("vpl", 0, [&](const Receiver& r) { return zonal::gather_vpl(cache_, r, brdf); });
-    print("vpl, clamped at 1 radius", 0, [&](const Receiver& r) { return zonal::gather_vpl(cache_, r, brdf, 1); });
-    print("vsl, 16 samples", 0, [&](const Receiver& r) { return zonal::gather_vsl(cache_, r, brdf, 16, uniform); });
+    print("vpl clamped at 1 r", 0, [&](const Receiver& r) { return zonal::gather_vpl(cache_, r, brdf, 1); });
+    print("vsl of 16 samples", 0, [&](const Receiver& r) { return zonal::gather_vsl(cache_, r, brdf, 16, uniform); });
     print("vsgl", 0, [&](const Receiver& r) { return zonal::gather_vsgl(gaussians_, r, brdf); });
     zonal::unroll<0, int(std::size(all_bands))>([&](auto i) {
       constexpr int n = all_bands[int{i}];

@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# Writes docs/report: data as CSV, plots, and a page that shows them. Installs and builds what it needs.
+#   report.sh [--full] [PART...]
+# PART: gather, evaluation, interpolation, triangles, materials, furnace; all of them where none is named. Under five
+# minutes on two cores with nothing else to do; --full takes hours. Files of measured materials in $ZONAL_DATA/merl and
+# $ZONAL_DATA/rgl are part of it. To draw all anew from the CSV files: report.py plot docs/report.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
+
+all_parts=(evaluation interpolation triangles materials furnace gather)
+full=() parts=()
+for argument in "$@"; do
+  if [ "$argument" = --full ]; then
+    full=(--full)
+  elif [[ " ${all_parts[*]} " == *" $argument "* ]]; then
+    parts+=("$argument")
+  else
+    zonal_fail "usage: report.sh [--full] [PART...]; a part is one of ${all_parts[*]}"
+  fi
+done
+[ ${#parts[@]} -gt 0 ] || parts=("${all_parts[@]}")
+
+zonal_setup ZONAL_REQUIRE_TESTS "${zonal_test_packages[@]}" python3 python3-matplotlib
+zonal_say "building zonal-report-data and hvl-render ($zonal_jobs at a time)"
+cmake --build "$zonal_build" --target zonal-report-data hvl-render -j "$zonal_jobs"
+
+python=/usr/bin/python3  # the one that python3-matplotlib is for
+data="$zonal_build/bench/report/zonal-report-data" folder="$zonal_root/docs/report"
+unfinished="$(mktemp)"
+trap 'rm -f "$unfinished"' EXIT
+mkdir -p "$folder"
+
+# run <name> <command...>: a CSV file, replaced when it is whole
+run() {
+  "${@:2}" > "$unfinished"
+  install -m 644 "$unfinished" "$folder/$1.csv"
+}
+
+# How each part was made: a later run of single parts leaves the others as they are.
+describe() {
+  "$data" machine
+  printf 'threads,%s\n' "$(nproc)"
+  printf 'commit,%s\n' "$(git -C "$zonal_root" rev-parse --short HEAD 2>/dev/null || echo unknown)"
+  printf 'changed,%s\n' "$(git -C "$zonal_root" status --porcelain -- include bench examples | grep -c . || true)"
+  printf 'date,%s\n' "$(date -u +%Y-%m-%d)"
+  printf 'run,%s\n' "${full[0]-short}"
+}
+
+for part in "${parts[@]}"; do
+  zonal_say "measuring: $part"
+  case "$part" in
+    gather) "$python" "$zonal_root/scripts/report_gather.py" "$zonal_build/examples/hvl-render/hvl-render" "$data" \
+      "$folder" "${full[@]}" ;;
+    *) run "$part" "$data" "$part" "${full[@]}" ;;
+  esac
+  run "$part.machine" describe
+done
+
+zonal_say "drawing docs/report"
+"$python" "$zonal_root/scripts/report.py" plot "$folder"

@@ -1,0 +1,239 @@
+"""The figures of docs/report, each from its CSV file alone."""
+import pathlib
+
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+
+from report_data import (METHOD, distinct, frame_ms, gather_ms, one, pareto, read, variant, where)
+
+# Okabe and Ito's colours, which the colour-blind tell apart.
+BLACK, ORANGE, SKY, GREEN, BLUE, RED, PURPLE = ("#000000", "#E69F00", "#56B4E9", "#009E73", "#0072B2", "#D55E00",
+                                                "#CC79A7")
+METHOD_STYLE = {"vpl": (RED, "o"), "vsl": (ORANGE, "s"), "vsgl": (PURPLE, "D"), "hvl": (BLUE, "^"),
+                "hvl-zonal": (GREEN, "v")}
+SCENE = {"diffuse": "diffuse atrium", "glossy": "glossy atrium", "measured": "measured materials"}
+VISIBILITY = {"none": "no visibility", "centre": "visibility of centres"}
+FRONT = {"color": BLACK, "linewidth": 0.9, "linestyle": (0, (4, 2)), "zorder": 1}
+
+plt.rcParams.update({
+    "font.size": 9, "axes.titlesize": 9, "legend.fontsize": 8, "axes.spines.top": False, "axes.spines.right": False,
+    "axes.grid": True, "grid.color": "#E4E4E4", "grid.linewidth": 0.6, "axes.axisbelow": True, "lines.linewidth": 1.1,
+    "lines.markersize": 4.5, "legend.frameon": False, "figure.facecolor": "white", "svg.hashsalt": "zonal"})
+
+
+def panels(rows, columns, width=9.0, height=3.0, **options):
+    figure, axes = plt.subplots(rows, columns, figsize=(width, height * rows), squeeze=False, layout="constrained",
+                                **options)
+    return figure, axes
+
+
+def legend_below(figure, handles, columns):
+    figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0), ncols=columns)
+
+
+def save(figure, folder, name):
+    """Equal data give equal files."""
+    figure.savefig(pathlib.Path(folder) / f"{name}.svg", bbox_inches="tight",
+                   metadata={"Date": None})
+    plt.close(figure)
+
+
+def key(label, **style):
+    return matplotlib.lines.Line2D([], [], label=label, **style)
+
+
+FRONT_KEY = key("Pareto front", **FRONT)
+
+
+def draw_front(axis, rows, x, y):
+    front = pareto(rows, x, y)
+    axis.plot([x(row) for row in front], [y(row) for row in front], **FRONT)
+
+
+def fill_of(is_on_front, colour):
+    return colour if is_on_front else "white"
+
+
+def gather(folder):
+    rows, references = where(read(folder, "gather"), part="sweep"), read(folder, "references")
+    if not rows:
+        return
+    scenes, visibilities = distinct(rows, "scene"), distinct(rows, "visibility")
+    figure, axes = panels(len(visibilities), len(scenes), height=2.9, sharex=True, sharey=True)
+    def error(row): return row["rmse"]
+    for line, visibility in zip(axes, visibilities):
+        for axis, scene in zip(line, scenes):
+            here = where(rows, scene=scene, visibility=visibility)
+            for name in distinct(here, "method", "bands", "vsl_samples", "vsgl_texels", "vpl_clamp", "emission_bands"):
+                same = [row for row in here if tuple(row[k] for k in (
+                    "method", "bands", "vsl_samples", "vsgl_texels", "vpl_clamp", "emission_bands")) == name]
+                colour, marker = METHOD_STYLE[name[0]]
+                axis.plot([gather_ms(row) for row in same], [row["rmse"] for row in same], color=colour, alpha=0.5,
+                          linewidth=0.7, zorder=2)
+            front = pareto(here, gather_ms, error)
+            for row in here:
+                colour, marker = METHOD_STYLE[row["method"]]
+                axis.plot(gather_ms(row), row["rmse"], marker, color=colour, zorder=3,
+                          markerfacecolor=fill_of(row in front, colour))
+            draw_front(axis, here, gather_ms, error)
+            reference = one(references, scene=scene, width=here[0]["width"])
+            axis.axhspan(0, reference["rmse"], color="#BBBBBB", alpha=0.6, linewidth=0, zorder=0)
+            axis.set_title(f"{SCENE[scene]}, {VISIBILITY[visibility]}")
+            axis.set(xscale="log", yscale="log")
+    for axis in axes[-1]:
+        axis.set_xlabel("virtual lights and gather, ms")
+    for line in axes:
+        line[0].set_ylabel("RMSE of the picture")
+    axes[0][0].yaxis.set_minor_formatter(matplotlib.ticker.LogFormatter(minor_thresholds=(2, 0.6)))
+    axes[0][0].set_ylim(bottom=0.6 * min(row["rmse"] for row in references))
+    handles = [key(METHOD[name], color=colour, marker=marker, linewidth=0.7)
+               for name, (colour, marker) in METHOD_STYLE.items()]
+    legend_below(figure, handles + [FRONT_KEY, matplotlib.patches.Patch(color="#BBBBBB", label="error of the reference")],
+                 4)
+    save(figure, folder, "gather")
+
+
+FORM_COLOUR = {"evaluate": BLUE, "gradient": BLUE, "cap-stable": BLUE, "orient": BLUE, "polynomial": ORANGE,
+               "polynomial-gradient": ORANGE, "sloan-like": RED, "cap-legendre": RED, "cap-closed": ORANGE}
+FORM_NAME = {"evaluate": "recurrences", "gradient": "ladder", "cap-stable": "differences (stable)",
+             "orient": "recurrences", "polynomial": "polynomials", "polynomial-gradient": "polynomials",
+             "sloan-like": "Sloan's like, by angles", "cap-legendre": "Legendre polynomials", "cap-closed": "closed forms"}
+SCALAR_MARKER = {"float": "o", "double": "s", "packet": "^"}
+QUANTITY = {"evaluation": "basis", "gradient": "basis and gradient", "cap": "spherical cap, zonal",
+            "rotation": "zonal lobe turned (SLS05)"}
+
+
+def evaluation(folder):
+    rows = read(folder, "evaluation")
+    if not rows:
+        return
+    figure, axes = panels(2, 2, height=3.4)
+    for axis, quantity in zip(axes.flat, QUANTITY):
+        here = where(rows, quantity=quantity)
+        for form, scalar in distinct(here, "form", "scalar"):
+            colour, marker = FORM_COLOUR[form], SCALAR_MARKER[scalar]
+            line = [row for row in where(here, form=form, scalar=scalar) if row["error"] > 0]
+            axis.plot([row["ns"] for row in line], [row["error"] for row in line], color=colour, alpha=0.5, linewidth=0.7)
+            for row in line:
+                front = pareto(where(here, bands=row["bands"]), lambda r: r["ns"], lambda r: r["error"])
+                axis.plot(row["ns"], row["error"], marker, color=colour, markerfacecolor=fill_of(row in front, colour))
+                if form in ("evaluate", "gradient", "cap-stable", "orient") and row["bands"] in (3, 5, 10):
+                    axis.annotate(f"{row['bands']:.0f}", (row["ns"], row["error"]), (0, 5), size=7,
+                                  textcoords="offset points", ha="center")
+        axis.set(xscale="log", yscale="log", xlabel="ns per item", ylabel="greatest error", title=QUANTITY[quantity])
+        forms = [form for form in distinct(here, "form")]
+        axis.legend(handles=[key(FORM_NAME[form], color=FORM_COLOUR[form]) for form in forms], loc=(0.5, 0.2))
+    handles = [key(scalar, color="#666666", marker=marker, linestyle="") for scalar, marker in SCALAR_MARKER.items()]
+    handles += [key("on the front of its bands", color="#666666", marker="o", linestyle=""),
+                key("beaten", color="#666666", marker="o", markerfacecolor="white", linestyle="")]
+    legend_below(figure, handles, 5)
+    save(figure, folder, "evaluation")
+
+
+INTERPOLATION = {"trilinear": (ORANGE, "o"), "taylor": (RED, "s"), "hermite": (BLUE, "^")}
+
+
+def interpolation(folder):
+    rows = read(folder, "interpolation")
+    if not rows:
+        return
+    figure, axes = panels(1, 3)
+    views = [("memory, KiB", lambda row: row["kibibytes"], "value_error", "mean error of coefficients"),
+             ("grid and one picture's lookups, ms", frame_ms, "value_error", "mean error of coefficients"),
+             ("memory, KiB", lambda row: row["kibibytes"], "gradient_error", "mean error of gradients")]
+    for axis, (label, x, error, name) in zip(axes[0], views):
+        for method, (colour, marker) in INTERPOLATION.items():
+            line = where(rows, method=method)
+            axis.plot([x(row) for row in line], [row[error] for row in line], color=colour, alpha=0.5)
+        front = pareto(rows, x, lambda row: row[error])
+        for row in rows:
+            colour, marker = INTERPOLATION[row["method"]]
+            axis.plot(x(row), row[error], marker, color=colour, markerfacecolor=fill_of(row in front, colour))
+        draw_front(axis, rows, x, lambda row: row[error])
+        axis.set(xscale="log", yscale="log", xlabel=label, ylabel=name)
+    handles = [key(name, color=colour, marker=marker) for name, (colour, marker) in INTERPOLATION.items()]
+    legend_below(figure, handles + [FRONT_KEY], 4)
+    save(figure, folder, "interpolation")
+
+
+def triangles(folder):
+    rows = read(folder, "triangles")
+    if not rows:
+        return
+    bands = distinct(rows, "bands")
+    figure, axes = panels(1, len(bands), sharey=True)
+    styles = {"quadrature": (BLUE, "o", "nodes"), "spheres": (ORANGE, "s", "triangles")}
+    for axis, number in zip(axes[0], bands):
+        here = where(rows, bands=number)
+        front = pareto(here, lambda row: row["ns"], lambda row: row["value_error"])
+        for method, (colour, marker, count) in styles.items():
+            line = where(here, method=method)
+            axis.plot([row["ns"] for row in line], [row["value_error"] for row in line], color=colour, alpha=0.5)
+            for row in line:
+                axis.plot(row["ns"], row["value_error"], marker, color=colour,
+                          markerfacecolor=fill_of(row in front, colour))
+                above = {"textcoords": "offset points", "size": 7, "color": colour}
+                if method == "spheres" or row["nodes"] <= 5:
+                    axis.annotate(f"{row[count]:.0f}", (row["ns"], row["value_error"]), (5, 3), **above)
+        draw_front(axis, here, lambda row: row["ns"], lambda row: row["value_error"])
+        axis.set(xscale="log", yscale="log", xlabel="ns per receiver", title=f"{number:.0f} bands")
+    axes[0][0].set_ylabel("greatest error")
+    legend_below(figure, [key("exactly: nodes per edge", color=BLUE, marker="o"),
+                          key("as spheres: how many triangles", color=ORANGE, marker="s"), FRONT_KEY], 3)
+    save(figure, folder, "triangles")
+
+
+WINDOW_STYLE = {"none": (BLUE, "-"), "sinc": (ORANGE, "--"), "hann": (RED, ":")}
+
+
+def materials(folder):
+    rows = where(read(folder, "materials"), quantity="receiver")
+    if not rows:
+        return
+    names = distinct(rows, "material")
+    columns = 3
+    figure, axes = panels(-(-len(names) // columns), columns, height=1.9, sharex=True, sharey=True)
+    for axis, name in zip(axes.flat, names):
+        for window, (colour, dashes) in WINDOW_STYLE.items():
+            line = where(rows, material=name, window=window)
+            axis.plot([row["bands"] for row in line], [row["error"] for row in line], color=colour, linestyle=dashes,
+                      linewidth=1.4)
+        axis.set(yscale="log", title=name, xticks=[1, 5, 9, 13, 17, 21])
+    for axis in axes.flat[len(names):]:
+        axis.set_visible(False)
+    for line in axes:
+        line[0].set_ylabel("relative error")
+    for axis in axes[-1]:
+        axis.set_xlabel("bands")
+    legend_below(figure, [key(f"window: {name}", color=colour, linestyle=dashes)
+                          for name, (colour, dashes) in WINDOW_STYLE.items()], 3)
+    save(figure, folder, "materials")
+
+
+def furnace(folder):
+    rows = read(folder, "furnace")
+    if not rows:
+        return
+    names, counts = distinct(rows, "material"), distinct(rows, "lights")
+    shades = dict(zip(counts, (SKY, BLUE, BLACK, PURPLE)))
+    figure, axes = panels(2, len(names), height=2.3, sharex=True, sharey="row")
+    for line, method in zip(axes, ("hvl", "hvl-zonal")):
+        for axis, name in zip(line, names):
+            for lights in counts:
+                for degrees, dashes in ((0, "-"), (60, ":")):
+                    here = where(rows, method=method, material=name, lights=lights, degrees=degrees)
+                    axis.plot([row["bands"] for row in here], [100 * (row["relative_energy"] - 1) for row in here],
+                              dashes, color=shades[lights])
+            axis.axhline(0, color="#888888", linewidth=0.8)
+            axis.set(title=f"{METHOD[method]}, {name}", xticks=[1, 5, 9, 15, 21])
+        line[0].set_ylabel("bias of energy, %")
+    for axis in axes[-1]:
+        axis.set_xlabel("bands")
+    handles = [key(f"{lights:.0f} lights", color=shades[lights]) for lights in counts]
+    handles += [key("seen from the normal", color="#666666"), key("from 60 degrees", color="#666666", linestyle=":")]
+    legend_below(figure, handles, len(handles))
+    save(figure, folder, "furnace")
+
+
+ALL = [gather, evaluation, interpolation, triangles, materials, furnace]

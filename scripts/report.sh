@@ -36,10 +36,11 @@ run() {
   install -m 644 "$unfinished" "$folder/$1.csv"
 }
 
-# How each part was made: a later run of single parts leaves the others as they are.
+# describe <load>: how each part was made; a later run of single parts leaves the others as they are.
 describe() {
   "$data" machine
   printf 'threads,%s\n' "$(nproc)"
+  printf 'load,%s\n' "$1"  # what others did: times of stages are of the wall's clock
   printf 'commit,%s\n' "$(git -C "$zonal_root" rev-parse --short HEAD 2>/dev/null || echo unknown)"
   printf 'changed,%s\n' "$(git -C "$zonal_root" status --porcelain -- include bench examples | grep -c . || true)"
   printf 'date,%s\n' "$(date -u +%Y-%m-%d)"
@@ -48,12 +49,13 @@ describe() {
 
 for part in "${parts[@]}"; do
   zonal_say "measuring: $part"
+  load="$(cut -d ' ' -f 1 /proc/loadavg)"
   case "$part" in
     gather) "$python" "$zonal_root/scripts/report_gather.py" "$zonal_build/examples/hvl-render/hvl-render" "$data" \
       "$folder" "${full[@]}" ;;
     *) run "$part" "$data" "$part" "${full[@]}" ;;
   esac
-  run "$part.machine" describe
+  run "$part.machine" describe "$load"
 done
 
 zonal_say "drawing docs/report"

@@ -11,13 +11,13 @@ def number_or_text(text):
         return text
 
 
-def read(folder, name):
+def read(folder, name, convert=number_or_text):
     """Rows as dictionaries; none where the file is not there."""
     path = pathlib.Path(folder) / f"{name}.csv"
     if not path.exists():
         return []
     with open(path, encoding="utf-8", newline="") as file:
-        return [{key: number_or_text(value) for key, value in row.items()} for row in csv.DictReader(file)]
+        return [{key: convert(value) for key, value in row.items()} for row in csv.DictReader(file)]
 
 
 def where(rows, **conditions):
@@ -49,17 +49,18 @@ def interpolated(points, x):
     """y at x, on straight lines between points in log-log; None outside."""
     points = sorted(points)
     for (x0, y0), (x1, y1) in zip(points, points[1:]):
-        if x0 <= x <= x1:
+        if x0 < x1 and x0 <= x <= x1:
             t = math.log(x / x0) / math.log(x1 / x0)
             return math.exp(math.log(y0) + t * math.log(y1 / y0))
     return None
 
 
-def slope(points):
-    """The exponent of y ~ x^e, by least squares in log-log."""
-    logs = [(math.log(x), math.log(y)) for x, y in points]
-    mean_x, mean_y = (sum(values) / len(logs) for values in zip(*logs))
-    return sum((x - mean_x) * (y - mean_y) for x, y in logs) / sum((x - mean_x) ** 2 for x, _ in logs)
+def line_fit(points):
+    """a and b of y ~ a + b x by least squares, and the greatest relative residual."""
+    mean_x, mean_y = (sum(values) / len(points) for values in zip(*points))
+    b = sum((x - mean_x) * (y - mean_y) for x, y in points) / sum((x - mean_x) ** 2 for x, _ in points)
+    a = mean_y - b * mean_x
+    return a, b, max(abs(a + b * x - y) / y for x, y in points)
 
 
 def gather_ms(row):

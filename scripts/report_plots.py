@@ -123,7 +123,8 @@ def evaluation(folder):
                                   textcoords="offset points", ha="center")
         axis.set(xscale="log", yscale="log", xlabel="ns per item", ylabel="greatest error", title=QUANTITY[quantity])
         forms = [form for form in distinct(here, "form")]
-        axis.legend(handles=[key(FORM_NAME[form], color=FORM_COLOUR[form]) for form in forms], loc=(0.5, 0.2))
+        axis.legend(handles=[key(FORM_NAME[form], color=FORM_COLOUR[form]) for form in forms],
+                    loc=(0.5, 0.2 if quantity == "cap" else 0.42))
     handles = [key(scalar, color="#666666", marker=marker, linestyle="") for scalar, marker in SCALAR_MARKER.items()]
     handles += [key("on the front of its bands", color="#666666", marker="o", linestyle=""),
                 key("beaten", color="#666666", marker="o", markerfacecolor="white", linestyle="")]

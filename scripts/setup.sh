@@ -1,4 +1,4 @@
-# Sourced by demo.sh, test.sh and benchmarks.sh: installs what is missing, and configures build/release.
+# Sourced by demo.sh, test.sh, benchmarks.sh and report.sh: installs what is missing, and configures build/release.
 #   zonal_setup <ZONAL_REQUIRE_...> <package>...
 #   zonal_jobs, a number: how many compilations may run at once
 # Works on Debian 12 and its like; a second run finds all in place and does nothing.

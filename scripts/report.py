@@ -54,7 +54,8 @@ def reference_text(folder, sweep):
     size = sweep[0]["width"]
     said = [f"{row['rmse']:.4f} in the {SCENE[row['scene']]} ({row['paths_per_pixel']:.0f} paths per pixel)"
             for row in read(folder, "references") if row["width"] == size]
-    return f"The reference's own error, from two renderings of different seeds, is {listed(said)}; the grey band."
+    return ("The reference's own RMSE, from two renderings of different seeds, is "
+            f"{listed(said)}; the bar below a point is what it adds.")
 
 
 def front_text(rows):

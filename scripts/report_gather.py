@@ -18,7 +18,7 @@ FIELDS = ["part", "label", "scene", "width", "height", "visibility", "method", "
 
 SHORT = {
     "size": (128, 104), "paths": 512, "big_size": (256, 208), "big_paths": 256,
-    "lights": {"none": [64, 256, 1024], "centre": [64, 256]}, "most_points": 4096,
+    "lights": {"none": [64, 256, 1024], "centre": [64, 256]}, "most_points": 4096, "most_measured": 256,
     "variants": {
         "none": [("vpl", {}), ("vpl", {"vpl_clamp": 1}), ("vsl", {"vsl_samples": 4}), ("vsl", {"vsl_samples": 16}),
                  ("vsgl", {"vsgl_texels": 4}), ("hvl", {"bands": 3}), ("hvl", {"bands": 5}), ("hvl", {"bands": 9}),
@@ -34,6 +34,7 @@ EVERY_VARIANT = [("vpl", {}), ("vpl", {"vpl_clamp": 1}), ("vsl", {"vsl_samples":
 FULL = {
     "size": (320, 256), "paths": 1024, "big_size": (1280, 1024), "big_paths": 512,
     "lights": {"none": [64, 144, 256, 576, 1024, 2304, 4096], "centre": [64, 256, 1024]}, "most_points": 16384,
+    "most_measured": 16384,
     "variants": {"none": EVERY_VARIANT, "centre": EVERY_VARIANT},
 }
 
@@ -110,14 +111,20 @@ class Renderer:
         return rows[REPEATS // 2]
 
 
+def light_counts(plan, scene, visibility, method):
+    counts = plan["lights"][visibility]
+    if method == "vpl" and visibility == "none":
+        counts = counts + [plan["most_points"]]
+    if scene == "measured" and method in ("vpl", "vsl"):  # which look up the BRDF for every light
+        counts = [count for count in counts if count <= plan["most_measured"]]
+    return counts
+
+
 def sweep(renderer, plan):
     for scene in renderer.scenes:
         for visibility, variants in plan["variants"].items():
             for method, options in variants:
-                counts = plan["lights"][visibility]
-                if method == "vpl" and visibility == "none":
-                    counts = counts + [plan["most_points"]]
-                for lights in counts:
+                for lights in light_counts(plan, scene, visibility, method):
                     yield renderer.row("sweep", "", scene, plan["size"], method, visibility=visibility, lights=lights,
                                        **options)
 

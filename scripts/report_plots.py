@@ -5,7 +5,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-from report_data import (METHOD, distinct, frame_ms, gather_ms, one, pareto, read, variant, where)
+from report_data import (METHOD, VARIANT, distinct, frame_ms, gather_ms, one, pareto, read, where)
 
 # Okabe and Ito's colours, which the colour-blind tell apart.
 BLACK, ORANGE, SKY, GREEN, BLUE, RED, PURPLE = ("#000000", "#E69F00", "#56B4E9", "#009E73", "#0072B2", "#D55E00",
@@ -55,42 +55,52 @@ def fill_of(is_on_front, colour):
     return colour if is_on_front else "white"
 
 
+VARIANT_KEYS = ("method", *VARIANT)
+
+
+def plain_ticks(axis):
+    """0.03, 0.04, 0.06 where an axis spans a decade or so."""
+    axis.set_major_formatter(matplotlib.ticker.FormatStrFormatter("%g"))
+    axis.set_minor_locator(matplotlib.ticker.LogLocator(subs=(2, 3, 4, 6), numticks=20))
+    axis.set_minor_formatter(matplotlib.ticker.FormatStrFormatter("%g"))
+
+
+def gather_panel(axis, rows, noise):
+    for name in distinct(rows, *VARIANT_KEYS):
+        line = where(rows, **dict(zip(VARIANT_KEYS, name)))
+        axis.plot([gather_ms(row) for row in line], [row["rmse"] for row in line], color=METHOD_STYLE[name[0]][0],
+                  alpha=0.5, linewidth=0.7, zorder=2)
+    front = pareto(rows, gather_ms, lambda row: row["rmse"])
+    for row in rows:
+        colour, marker = METHOD_STYLE[row["method"]]
+        axis.vlines(gather_ms(row), max(row["rmse"] ** 2 - noise ** 2, 0) ** 0.5, row["rmse"], color=colour, linewidth=3,
+                    alpha=0.35)
+        axis.plot(gather_ms(row), row["rmse"], marker, color=colour, zorder=3, markersize=3.8,
+                  markerfacecolor=fill_of(row in front, colour))
+    draw_front(axis, rows, gather_ms, lambda row: row["rmse"])
+    axis.text(0.02, 0.03, f"reference: {noise:.4f}", transform=axis.transAxes, size=8, color="#555555")
+    axis.set(xscale="log", yscale="log")
+
+
 def gather(folder):
     rows, references = where(read(folder, "gather"), part="sweep"), read(folder, "references")
     if not rows:
         return
     scenes, visibilities = distinct(rows, "scene"), distinct(rows, "visibility")
-    figure, axes = panels(len(visibilities), len(scenes), height=2.9, sharex=True, sharey=True)
-    def error(row): return row["rmse"]
+    figure, axes = panels(len(visibilities), len(scenes), height=3.1, sharex=True, sharey=True)
     for line, visibility in zip(axes, visibilities):
         for axis, scene in zip(line, scenes):
             here = where(rows, scene=scene, visibility=visibility)
-            for name in distinct(here, "method", "bands", "vsl_samples", "vsgl_texels", "vpl_clamp", "emission_bands"):
-                same = [row for row in here if tuple(row[k] for k in (
-                    "method", "bands", "vsl_samples", "vsgl_texels", "vpl_clamp", "emission_bands")) == name]
-                colour, marker = METHOD_STYLE[name[0]]
-                axis.plot([gather_ms(row) for row in same], [row["rmse"] for row in same], color=colour, alpha=0.5,
-                          linewidth=0.7, zorder=2)
-            front = pareto(here, gather_ms, error)
-            for row in here:
-                colour, marker = METHOD_STYLE[row["method"]]
-                axis.plot(gather_ms(row), row["rmse"], marker, color=colour, zorder=3,
-                          markerfacecolor=fill_of(row in front, colour))
-            draw_front(axis, here, gather_ms, error)
-            reference = one(references, scene=scene, width=here[0]["width"])
-            axis.axhspan(0, reference["rmse"], color="#BBBBBB", alpha=0.6, linewidth=0, zorder=0)
+            if here:
+                gather_panel(axis, here, one(references, scene=scene, width=here[0]["width"])["rmse"])
             axis.set_title(f"{SCENE[scene]}, {VISIBILITY[visibility]}")
-            axis.set(xscale="log", yscale="log")
+        line[0].set_ylabel("RMSE of the picture")
     for axis in axes[-1]:
         axis.set_xlabel("virtual lights and gather, ms")
-    for line in axes:
-        line[0].set_ylabel("RMSE of the picture")
-    axes[0][0].yaxis.set_minor_formatter(matplotlib.ticker.LogFormatter(minor_thresholds=(2, 0.6)))
-    axes[0][0].set_ylim(bottom=0.6 * min(row["rmse"] for row in references))
+    plain_ticks(axes[0][0].yaxis)
     handles = [key(METHOD[name], color=colour, marker=marker, linewidth=0.7)
                for name, (colour, marker) in METHOD_STYLE.items()]
-    legend_below(figure, handles + [FRONT_KEY, matplotlib.patches.Patch(color="#BBBBBB", label="error of the reference")],
-                 4)
+    legend_below(figure, handles + [FRONT_KEY, key("what the reference's error adds", color="#888888", linewidth=3)], 7)
     save(figure, folder, "gather")
 
 

@@ -56,7 +56,7 @@ endforeach()
 foreach(file nowhere.binary nowhere.bsdf folder.obj/x.binary)
   refused("material ${file}" "${file}: .*" --material gold=${file})
 endforeach()
-refused("material of another format" "scenes.binary: has .* bytes, not the .* of a MERL file" --material gold=scenes.binary)
+refused("material of another format" "scenes.binary: is no MERL file: .*" --material gold=scenes.binary)
 
 # ---- Scenes ---------------------------------------------------------------------------------------------------------
 
@@ -110,9 +110,10 @@ renders("the last of two equal options" "y.png" "" --scene box.obj --out x.png -
 
 foreach(method vpl vsl vsgl hvl-zonal)
   renders("${method}" "x.png" "" --scene box.obj --method ${method} --out x.png --visibility centre)
-  renders("comparison of ${method}"
-    "out out/difference.png out/${method}.exr out/${method}.png out/reference.exr out/reference.png" ""
-    --scene box.obj --method ${method} --compare out)
+  set(compared out/difference.png out/${method}.exr out/${method}.png out/reference.exr out/reference.png)
+  list(SORT compared)
+  list(JOIN compared " " compared)
+  renders("comparison of ${method}" "out ${compared}" "" --scene box.obj --method ${method} --compare out)
 endforeach()
 foreach(scene atrium-diffuse atrium-glossy)
   renders("${scene}" "x.png" "" --scene ${scene} --out x.png)

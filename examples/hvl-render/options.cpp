@@ -147,7 +147,7 @@ void add_path_options(CLI::App& app, Options& options) {
       ->group(group);
 }
 
-/// The options that only some methods use.
+/// Options of one method are refused beside another; those that several have, such as --lights, are not.
 void check_methods(const CLI::App& app, const Options& options) {
   using Methods = std::vector<Method>;
   const Methods hvl{Method::hvl};
@@ -156,29 +156,18 @@ void check_methods(const CLI::App& app, const Options& options) {
       {"--vsl-samples", {Method::vsl}},
       {"--vsgl-texels", {Method::vsgl}},
       {"--bands", {Method::hvl, Method::hvl_zonal}},
+      {"--time-budget", {Method::vpl, Method::vsl, Method::vsgl, Method::hvl, Method::hvl_zonal}},
       {"--emission-bands", hvl},
       {"--horizon", hvl},
       {"--window", hvl},
   };
-  const auto fail = [&](const std::string& option) {
-    throw InputError(option + " means nothing to --method " + name_of(method_names, options.method));
-  };
   for (const auto& [option, methods] : users) {
     if (app.count(option) > 0 && std::find(methods.begin(), methods.end(), options.method) == methods.end()) {
-      fail(option);
+      throw InputError(std::string(option) + " means nothing to --method " + name_of(method_names, options.method));
     }
   }
-  if (options.needs_lights()) {
-    if (!options.comparing()) {
-      for (const char* option : {"--spp", "--bounces"}) {
-        if (app.count(option) > 0) fail(option);
-      }
-    }
-    return;
-  }
-  if (options.comparing()) throw InputError("--compare renders paths beside another method: choose one");
-  for (const char* option : {"--lights", "--time-budget", "--visibility", "--radius", "--radius-factor"}) {
-    if (app.count(option) > 0) fail(option);
+  if (options.comparing() && !options.needs_lights()) {
+    throw InputError("--compare renders paths beside another method: choose one");
   }
 }
 

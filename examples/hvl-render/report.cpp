@@ -114,7 +114,8 @@ std::string table(const Report& report) {
   std::string text = align(table_rows(columns));
   const auto asked = static_cast<std::size_t>(report.options.lights);
   if (report.options.time_budget) {
-    text += format("%.3g s were given for lights and gather: %zu lights, %.3g s.\n", *report.options.time_budget, asked,
+    text += format("%.3g s were given for lights and gather: %zu light%s, %.3g s.\n", *report.options.time_budget,
+                   asked, asked == 1 ? ", and fewer there cannot be" : "s",
                    report.times.seconds(stage_name::lights) + report.times.seconds(stage_name::gather));
   } else if (report.options.needs_lights() && report.options.method != Method::vsgl &&
              report.counts.map_lights != asked) {

@@ -45,3 +45,19 @@ function(shows_progress)
   set_tests_properties("${program}: narrow terminal" PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:" TIMEOUT 60)
 endfunction()
 
+
+# example_test(<source>): what the program's parts do, as a Catch2 executable.
+function(example_test source)
+  find_package(Catch2 QUIET)
+  if(NOT TARGET Catch2::Catch2)
+    return()
+  endif()
+  include(Catch)
+  string(REPLACE _test.cpp "" name ${source})
+  add_executable(test_${name} ${programs_dir}/${source})
+  zonal_own_target(test_${name})
+  target_link_libraries(test_${name} PRIVATE ${program}-parts
+    $<IF:$<TARGET_EXISTS:test_main>,test_main,Catch2::Catch2WithMain>)
+  target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR}/examples)
+  catch_discover_tests(test_${name} TEST_PREFIX "${program}: " PROPERTIES TIMEOUT 120)
+endfunction()

@@ -110,13 +110,4 @@ add_test(NAME "grid-render: errors of the shapes" COMMAND ${CMAKE_COMMAND} -Dpro
   -Dfolder=${work_dir}/shapes -P ${programs_dir}/grid_shapes.cmake)
 set_tests_properties("grid-render: errors of the shapes" PROPERTIES TIMEOUT 60)
 
-find_package(Catch2 QUIET)
-if(TARGET Catch2::Catch2)
-  include(Catch)
-  add_executable(test_grid_render ${programs_dir}/grid_render_test.cpp)
-  zonal_own_target(test_grid_render)
-  target_link_libraries(test_grid_render PRIVATE grid-render-parts
-    $<IF:$<TARGET_EXISTS:test_main>,test_main,Catch2::Catch2WithMain>)
-  target_include_directories(test_grid_render PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR}/examples)
-  catch_discover_tests(test_grid_render TEST_PREFIX "grid-render: " PROPERTIES TIMEOUT 60)
-endif()
+example_test(grid_render_test.cpp)

@@ -8,7 +8,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/cases.cmake)
 refused("unknown option" "The following argument was not expected: --foo" --foo)
 refused("stray argument" "The following argument was not expected: box.obj" box.obj)
 refused("option without its value" "--method needs a value" --method)
-refused("unknown method" "--method: 'magic' is not one of hvl.path" --method magic)
+refused("unknown method" "--method: 'magic' is not one of vpl.vsl.vsgl.hvl.hvl-zonal.path" --method magic)
 foreach(bands 0 6 100 -1 abc 5.5)
   refused("bands ${bands}" "--bands: '${bands}' is not one of .*" --bands ${bands})
   refused("emission bands ${bands}" "--emission-bands: '${bands}' is not one of .*" --emission-bands ${bands})
@@ -33,7 +33,30 @@ refused("camera of two coordinates" "--camera: '1,2' is not a point x,y,z" --cam
 refused("camera nan" "--camera: '1,2,nan' is not a point x,y,z" --camera 1,2,nan)
 refused("camera at its target" "--camera and --target are the same point" --camera 1,1,1 --target 1,1,1)
 refused("field of view 0" "--fov: '0' is not in 1...170 degrees" --fov 0)
-refused("two modes" "--compare excludes --method" --compare out --method hvl)
+refused("compare paths with paths" "--compare renders paths beside another method: choose one" --compare out --method path)
+refused("two numbers of lights" "--lights excludes --time-budget" --time-budget 1)
+foreach(budget 0 -1 nan soon)
+  refused("time budget ${budget}" "--time-budget: .*" --time-budget ${budget})
+endforeach()
+foreach(option vpl-clamp vsl-samples vsgl-texels)
+  refused("${option} -1" "--${option}: '-1' is not in .*" --${option} -1)
+endforeach()
+refused("option of another method" "--vsl-samples means nothing to --method vpl" --method vpl --vsl-samples 9)
+refused("bands of no band" "--bands means nothing to --method vsgl" --method vsgl --bands 3)
+refused("bands of hvl-zonal" "--bands: '21' is not one of 1.2.3.4.5.7.9, which --method hvl has" --bands 21)
+refused("bands of hvl" "--bands: '4' is not one of 3.5.7.9.15.21, which --method hvl-zonal has" --method hvl-zonal --bands 4)
+
+# ---- Materials ------------------------------------------------------------------------------------------------------
+
+refused("material without a spec" "--material: 'gold' is not NAME=SPEC" --material gold)
+refused("material of no scene" "--material: the scene has no 'brass', but plaster, .*" --material brass=gold)
+foreach(spec brass gold:0 gold:2 gold:x matte matte:1,1 matte:1,1,2 plastic:1,1,1 phong:1,1,1,-1)
+  refused("material ${spec}" "--material: '${spec}' is none of matte:R,G,B .*" --material gold=${spec})
+endforeach()
+foreach(file nowhere.binary nowhere.bsdf folder.obj/x.binary)
+  refused("material ${file}" "${file}: .*" --material gold=${file})
+endforeach()
+refused("material of another format" "scenes.binary: is no MERL file: .*" --material gold=scenes.binary)
 
 # ---- Scenes ---------------------------------------------------------------------------------------------------------
 
@@ -85,5 +108,22 @@ renders("OBJ by both methods" "out out/difference.png out/hvl.exr out/hvl.png ou
 renders("OBJ without the stage" "x.png" "" --scene triangle.obj --no-stage --out x.png --method path)
 renders("the last of two equal options" "y.png" "" --scene box.obj --out x.png --out y.png)
 
+foreach(method vpl vsl vsgl hvl-zonal)
+  renders("${method}" "x.png" "" --scene box.obj --method ${method} --out x.png --visibility centre)
+  set(compared out/difference.png out/${method}.exr out/${method}.png out/reference.exr out/reference.png)
+  list(SORT compared)
+  list(JOIN compared " " compared)
+  renders("comparison of ${method}" "out ${compared}" "" --scene box.obj --method ${method} --compare out)
+endforeach()
+foreach(scene atrium-diffuse atrium-glossy)
+  renders("${scene}" "x.png" "" --scene ${scene} --out x.png)
+endforeach()
+renders("other materials" "x.exr" "" --out x.exr --material gold=copper:0.1 --material *=plastic:0.1,0.2,0.3,0.4)
+program_case("time budget" 0 "x.png" "" $<TARGET_FILE:hvl-render> --size 64x48 --time-budget 0.05 --out x.png --quiet)
+
 stops(--compare out --spp 1000000)
 shows_progress(--method path --threads 1 --spp 32 --size 160x128)
+
+# ---- Numbers --------------------------------------------------------------------------------------------------------
+
+example_test(hvl_render_test.cpp)

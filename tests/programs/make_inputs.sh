@@ -9,6 +9,7 @@ cp -r "$scenes" "$folder"
 cd "$folder"
 mkdir folder.obj folder.png
 mkfifo pipe
+echo "no material" >scenes.binary
 "$program" --quiet --scene box.obj --lights 1 --size 16x12 --out reference.exr
 "$program" --quiet --scene box.obj --lights 1 --size 12x16 --out other_size.exr
 head -c 600 reference.exr >truncated.exr

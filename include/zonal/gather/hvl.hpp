@@ -81,7 +81,7 @@ ZONAL_INLINE inline void hvl_radiance(const HvlRecord<NE, T>& light, const Recei
                      for (int c = 0; c < 3; ++c) by_degree[c][l] = by_degree[c][l] + T(f[c]) * y;
                    });
   T reflected[3] = {T(0), T(0), T(0)};
-  detail::cap_sums<N>(cap, [&](auto l, const T& sum) ZONAL_INLINE {  // A_l / pi
+  detail::hemisphere_cap_sums<N>(cap, [&](auto l, const T& sum) ZONAL_INLINE {  // A_l / pi
     for (int c = 0; c < 3; ++c) reflected[c] = reflected[c] + sum * by_degree[c][l];
   });
   for (int c = 0; c < 3; ++c) radiance[c] = max(sent[c], T(0)) * geometry * reflected[c];

@@ -1,0 +1,208 @@
+// What hvl-render's own comparison cannot show, because both its sides have it: the path tracer against estimators that
+// share nothing with it, and materials from files.
+#include "hvl-render/direct_light.hpp"
+#include "hvl-render/material_change.hpp"
+#include "hvl-render/path.hpp"
+#include "hvl-render/virtual_lights.hpp"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <zonal/gather/vpl.hpp>
+
+#include "catch.hpp"
+#include "files.hpp"
+#include "material/merl_writer.hpp"
+#include "material/tensor_writer.hpp"
+#include "shared/frame.hpp"
+#include "shared/input_error.hpp"
+#include "shared/materials.hpp"
+#include "shared/mesh_builder.hpp"
+
+namespace {
+
+using namespace example;
+using namespace example::hvl_render;
+using file_test::Folder;
+
+constexpr double pi = 3.14159265358979323846;
+
+/// A closed box with a golden floor, a lacquered wall and a ball in it, lit from below its ceiling.
+Scene box_scene() {
+  Scene scene;
+  scene.materials = {{"gold", metal(*find_metal("gold"), 0.3f)},
+                     {"chalk", matte({0.8f, 0.6f, 0.4f})},
+                     {"lacquer", plastic({0.3f, 0.5f, 0.2f}, 0.4f)}};
+  MeshBuilder builder(scene.mesh);
+  builder.use(0).quad({-1, 0, 1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, -1});
+  builder.use(1).quad({-1, 2, 1}, {1, 2, 1}, {1, 2, -1}, {-1, 2, -1});
+  builder.quad({-1, 0, -1}, {1, 0, -1}, {1, 2, -1}, {-1, 2, -1});
+  builder.quad({-1, 0, 1}, {1, 0, 1}, {1, 2, 1}, {-1, 2, 1});
+  builder.quad({1, 0, -1}, {1, 0, 1}, {1, 2, 1}, {1, 2, -1});
+  builder.use(2).quad({-1, 0, -1}, {-1, 0, 1}, {-1, 2, 1}, {-1, 2, -1});
+  builder.sphere({0.35f, 0.4f, -0.3f}, 0.3f, 48);
+  scene.camera = {{0.0f, 1.2f, 0.9f}, {0.0f, 0.7f, -1.0f}, 1.2f};
+  scene.light.position = {-0.3f, 1.8f, 0.2f};
+  scene.light.axis = glm::normalize(glm::vec3(0.4f, -1.0f, -0.5f));
+  scene.light.half_angle = 0.9f;
+  scene.light.intensity = glm::vec3(3.0f, 2.0f, 1.0f);
+  return scene;
+}
+
+/// Points of every material, matte and glossy, lit and in shadow.
+std::vector<Hit> some_hits(const Scene& scene, const RayCaster& caster) {
+  std::vector<Hit> hits;
+  for (const glm::vec3& target :
+       {glm::vec3(-0.4f, 0.0f, -0.2f), glm::vec3(0.5f, 0.0f, 0.3f), glm::vec3(0.2f, 1.5f, -1.0f),
+        glm::vec3(-1.0f, 0.8f, -0.4f), glm::vec3(0.3f, 0.6f, -0.1f), glm::vec3(0.0f, 2.0f, 0.0f)}) {
+    hits.push_back(*caster.closest(scene.camera.position, glm::normalize(target - scene.camera.position)));
+  }
+  return hits;
+}
+
+glm::vec3 to_camera(const Scene& scene, const Hit& hit) { return glm::normalize(scene.camera.position - hit.position); }
+
+struct Estimate {
+  glm::dvec3 mean, deviation;  // of the mean
+};
+
+Estimate by_paths(const Scene& scene, const RayCaster& caster, const Hit& hit) {
+  constexpr int batches = 64;
+  const PathTracer tracer(scene, caster, {2048, 1, 7}, 1);
+  glm::dvec3 sum(0.0), squares(0.0);
+  for (int batch = 0; batch < batches; ++batch) {
+    const glm::dvec3 value(tracer.indirect_radiance(hit, static_cast<std::size_t>(batch)));
+    sum += value;
+    squares += value * value;
+  }
+  const glm::dvec3 mean = sum / double(batches);
+  return {mean, glm::sqrt(glm::max(squares / double(batches) - mean * mean, 0.0) / double(batches - 1))};
+}
+
+/// The rendering equation as it stands: BRDF, cosine and the light that leaves what a ray hits, summed over a grid of
+/// directions that is fine about the mirror direction.
+glm::dvec3 by_quadrature(const Scene& scene, const RayCaster& caster, const Hit& hit) {
+  constexpr int rings = 700, spokes = 1400;
+  const Frame frame(hit.normal);
+  const glm::vec3 wo = frame.to_local(to_camera(scene, hit));
+  const zonal::Brdf& brdf = scene.materials[hit.material].brdf;
+  glm::dvec3 sum(0.0);
+  for (int i = 0; i < rings; ++i) {
+    const double z = (i + 0.5) / rings, r = std::sqrt(1.0 - z * z);
+    for (int j = 0; j < spokes; ++j) {
+      const double phi = 2.0 * pi * (j + 0.5) / spokes;
+      const glm::vec3 wi(glm::dvec3(r * std::cos(phi), r * std::sin(phi), z));
+      const glm::vec3 direction = frame.to_world(wi);
+      const auto next = caster.closest_from(hit, direction);
+      if (!next) continue;
+      sum += glm::dvec3(zonal::evaluate(brdf, wi, wo) * direct_radiance(scene, caster, *next, -direction)) * z;
+    }
+  }
+  return sum * (2.0 * pi / (double(rings) * spokes));
+}
+
+/// Light tracing: what a million points on the lit surfaces send here, each by a shadow ray.
+glm::dvec3 by_light_tracing(const Scene& scene, const RayCaster& caster, const std::vector<zonal::VirtualLight>& lights,
+                            const Hit& hit) {
+  const zonal::LightCache cache(lights);
+  const auto visible = [&](const glm::vec3& position, const glm::vec3& normal) {
+    return caster.visible(hit, Hit{position, normal, normal, 0.0f, 0});
+  };
+  return glm::dvec3(gather_vpl(cache, {hit.position, hit.normal, to_camera(scene, hit)},
+                               scene.materials[hit.material].brdf, 0.0f, visible));
+}
+
+std::string error_of(const std::string& change) {
+  Scene scene = box_scene();
+  try {
+    apply({parse_material_change(change)}, scene.materials);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("paths agree with brute-force quadrature, and with light tracing, within their error bar") {
+  const Scene scene = box_scene();
+  const RayCaster caster(scene);
+  Options options;
+  options.method = Method::vpl;
+  options.lights = 1000 * 1000;
+  const auto lights = lit(shoot_virtual_lights(scene, caster, {}, options));
+  REQUIRE(lights.size() > 900000);
+  int number = 0;
+  for (const Hit& hit : some_hits(scene, caster)) {
+    const Estimate paths = by_paths(scene, caster, hit);
+    const glm::dvec3 quadrature = by_quadrature(scene, caster, hit);
+    const glm::dvec3 tracing = by_light_tracing(scene, caster, lights, hit);
+    ++number;
+    for (int c = 0; c < 3; ++c) {
+      CAPTURE(number, hit.material, c, paths.mean[c], paths.deviation[c], quadrature[c], tracing[c]);
+      CHECK(paths.mean[c] > 0.0);
+      CHECK(paths.deviation[c] <= 0.003 * paths.mean[c]);
+      // 0.2 % for the quadrature's own cells at the edges of shadows, 0.5 % for the last of the light tracer's spikes
+      CHECK(std::abs(paths.mean[c] - quadrature[c]) <= 4.0 * paths.deviation[c] + 0.002 * paths.mean[c]);
+      CHECK(std::abs(paths.mean[c] - tracing[c]) <= 4.0 * paths.deviation[c] + 0.005 * paths.mean[c]);
+    }
+  }
+}
+
+TEST_CASE("materials: a MERL file replaces a model, for values and for sampling") {
+  const Folder folder;
+  const auto path = folder.path / "copper.binary";
+  const zonal::Brdf copper = metal(*find_metal("copper"), 0.3f);
+  file_test::write(path, material_test::merl_bytes(copper));
+  Scene scene = box_scene();
+  apply({parse_material_change("gold=" + path.string())}, scene.materials);
+  CHECK(scene.materials[0].file == path);
+  CHECK(scene.materials[1].file.empty());
+  material_test::Random random(1);
+  for (int i = 0; i < 200; ++i) {
+    const glm::vec3 wi = random.direction(), wo = random.direction();
+    if (std::min(wi.z, wo.z) < 0.3f) continue;
+    const glm::vec3 expected = zonal::evaluate(copper, wi, wo), got = zonal::evaluate(scene.materials[0].brdf, wi, wo);
+    CAPTURE(i);
+    for (int c = 0; c < 3; ++c) CHECK(std::abs(got[c] - expected[c]) <= 0.01f);
+  }
+}
+
+TEST_CASE("materials: the cache of projections is written once, and read") {
+  const Folder folder;
+  file_test::write(folder.path / "copper.binary", material_test::merl_bytes(metal(*find_metal("copper"), 0.3f)));
+  Scene scene = box_scene();
+  apply({parse_material_change("gold=" + (folder.path / "copper.binary").string())}, scene.materials);
+  Options options;
+  options.material_cache = folder.path.string();
+  const auto built = project_materials(scene.materials, options);
+  const auto table = folder.path / "copper.binary.table";
+  REQUIRE(std::filesystem::exists(table));
+  const auto written = std::filesystem::last_write_time(table);
+  const auto read = project_materials(scene.materials, options);
+  CHECK(std::filesystem::last_write_time(table) == written);
+  CHECK(read.receiving[0].with_cosine_rows() == built.receiving[0].with_cosine_rows());
+}
+
+TEST_CASE("materials: what is wrong with a file is said in one line") {
+  using file_test::contains;
+  const Folder folder;
+  const std::string merl = (folder.path / "x.binary").string(), rgl = (folder.path / "x.bsdf").string();
+  CHECK(contains(error_of("gold=" + merl), "x.binary: "));
+  file_test::write(merl, "short");
+  CHECK(contains(error_of("gold=" + merl), "x.binary: has 5 bytes"));
+  file_test::write(rgl, "no tensors");
+  CHECK(contains(error_of("gold=" + rgl), "x.bsdf: "));
+  material_test::RglGrid grid;
+  grid.phi_nodes = 5;
+  file_test::write(rgl, material_test::tensor_file(material_test::rgl_tensors({0.2, 0.5}, grid)));
+  CHECK(contains(error_of("gold=" + rgl), "x.bsdf: is anisotropic"));
+  grid.phi_nodes = 1;
+  file_test::write(rgl, material_test::tensor_file(material_test::rgl_tensors({0.3, 0.3}, grid)));
+  CHECK(error_of("gold=" + rgl).empty());
+  for (const std::string& text : {error_of("gold=" + merl), error_of("brass=gold"), error_of("gold=brass")}) {
+    CHECK(!text.empty());
+    CHECK(!contains(text, "\n"));
+  }
+}

@@ -1,7 +1,7 @@
 """Renders what docs/report needs by hvl-render, and writes references.csv, gather.csv, scenes.csv and pictures; see
 report.sh.
 
-    report_gather.py HVL_RENDER ZONAL_REPORT_DATA FOLDER [--full]
+    report_gather.py HVL_RENDER ZONAL_REPORT_DATA FOLDER [--quick|--full]
 """
 import csv
 import json
@@ -11,13 +11,13 @@ import subprocess
 import sys
 import tempfile
 
-REPEATS = 3  # of the runs of the tables, whose times are medians
 FIELDS = ["part", "label", "scene", "width", "height", "visibility", "method", "lights", "bands", "emission_bands",
           "vsl_samples", "vsgl_texels", "vpl_clamp", "material_s", "lights_s", "gather_s", "rmse", "psnr_db", "ssim",
           "linear_rmse", "picture"]
 
+# `repeats`: of the runs of the tables, whose times are medians. `variants`: methods, and what makes them what they are.
 SHORT = {
-    "size": (128, 104), "paths": 512, "big_size": (256, 208), "big_paths": 256,
+    "repeats": 3, "size": (128, 104), "paths": 512, "big_size": (256, 208), "big_paths": 256,
     "lights": {"none": [64, 256, 1024], "centre": [64, 256]}, "most_points": 4096, "most_measured": 256,
     "variants": {
         "none": [("vpl", {}), ("vpl", {"vpl_clamp": 1}), ("vsl", {"vsl_samples": 4}), ("vsl", {"vsl_samples": 16}),
@@ -32,10 +32,18 @@ EVERY_VARIANT = [("vpl", {}), ("vpl", {"vpl_clamp": 1}), ("vsl", {"vsl_samples":
                  ("hvl", {"bands": 9}), ("hvl", {"bands": 5, "emission_bands": 5}), ("hvl-zonal", {"bands": 5}),
                  ("hvl-zonal", {"bands": 9}), ("hvl-zonal", {"bands": 15})]
 FULL = {
-    "size": (320, 256), "paths": 1024, "big_size": (1280, 1024), "big_paths": 512,
+    "repeats": 5, "size": (320, 256), "paths": 1024, "big_size": (1280, 1024), "big_paths": 512,
     "lights": {"none": [64, 144, 256, 576, 1024, 2304, 4096], "centre": [64, 256, 1024]}, "most_points": 16384,
     "most_measured": 16384,
     "variants": {"none": EVERY_VARIANT, "centre": EVERY_VARIANT},
+}
+
+
+QUICK = {  # shows that all is there
+    "repeats": 1, "size": (32, 26), "paths": 4, "big_size": (40, 32), "big_paths": 4,
+    "lights": {"none": [16, 64], "centre": [16]}, "most_points": 100, "most_measured": 100,
+    "variants": {visibility: [("vpl", {}), ("vsl", {}), ("vsgl", {}), ("hvl", {"bands": 3}), ("hvl", {"bands": 9})]
+                 for visibility in ("none", "centre")},
 }
 
 
@@ -59,7 +67,8 @@ def scenes(files):
 
 
 class Renderer:
-    def __init__(self, program, report_data, folder, scratch):
+    def __init__(self, program, report_data, folder, scratch, repeats):
+        self.repeats = repeats
         self.program, self.folder, self.scratch = program, pathlib.Path(folder), pathlib.Path(scratch)
         files, self.source = measured_files(report_data, scratch)
         self.scenes = scenes(files)
@@ -85,8 +94,8 @@ class Renderer:
         errors = facts["errors"]
         noise = {name: errors[key] / 2 ** 0.5 for name, key in (("rmse", "rmse"),
                                                                 ("linear_rmse", "linear_rmse_relative_to_mean"))}
-        return {"scene": scene, "width": size[0], "height": size[1], "paths_per_pixel": facts["counts"]["paths_per_pixel"],
-                "paths_s": facts["seconds"]["paths"], **noise}
+        return {"scene": scene, "width": size[0], "height": size[1],
+                "paths_per_pixel": facts["counts"]["paths_per_pixel"], "paths_s": facts["seconds"]["paths"], **noise}
 
     def reference_file(self, scene, size):
         return self.scratch / f"{scene}_{size[0]}.exr"
@@ -107,8 +116,8 @@ class Renderer:
                 "ssim": errors["ssim"], "linear_rmse": errors["linear_rmse_relative_to_mean"], "picture": picture}
 
     def median_row(self, *arguments, **options):
-        rows = sorted((self.row(*arguments, **options) for _ in range(REPEATS)), key=lambda row: row["gather_s"])
-        return rows[REPEATS // 2]
+        rows = [self.row(*arguments, **options) for _ in range(self.repeats)]
+        return sorted(rows, key=lambda row: row["gather_s"])[self.repeats // 2]
 
 
 def light_counts(plan, scene, visibility, method):
@@ -182,10 +191,10 @@ def write(path, fields, rows):
 
 
 def main(program, report_data, folder, *options):
-    plan = FULL if "--full" in options else SHORT
+    plan = {"--quick": QUICK, "--full": FULL}[options[0]] if options else SHORT
     folder = pathlib.Path(folder)
     with tempfile.TemporaryDirectory() as scratch:
-        renderer = Renderer(program, report_data, folder, scratch)
+        renderer = Renderer(program, report_data, folder, scratch, plan["repeats"])
         write(folder / "scenes.csv", ["scene", "materials"],
               [{"scene": scene, "materials": renderer.source if scene == "measured" else "models"}
                for scene in renderer.scenes])

@@ -73,8 +73,8 @@ def gather_panel(axis, rows, noise):
     front = pareto(rows, gather_ms, lambda row: row["rmse"])
     for row in rows:
         colour, marker = METHOD_STYLE[row["method"]]
-        axis.vlines(gather_ms(row), max(row["rmse"] ** 2 - noise ** 2, 0) ** 0.5, row["rmse"], color=colour, linewidth=3,
-                    alpha=0.35)
+        axis.vlines(gather_ms(row), max(row["rmse"] ** 2 - noise ** 2, 0) ** 0.5, row["rmse"], color=colour,
+                    linewidth=3, alpha=0.35)
         axis.plot(gather_ms(row), row["rmse"], marker, color=colour, zorder=3, markersize=3.8,
                   markerfacecolor=fill_of(row in front, colour))
     draw_front(axis, rows, gather_ms, lambda row: row["rmse"])
@@ -108,7 +108,8 @@ FORM_COLOUR = {"evaluate": BLUE, "gradient": BLUE, "cap-stable": BLUE, "orient":
                "polynomial-gradient": ORANGE, "sloan-like": RED, "cap-legendre": RED, "cap-closed": ORANGE}
 FORM_NAME = {"evaluate": "recurrences", "gradient": "ladder", "cap-stable": "differences (stable)",
              "orient": "recurrences", "polynomial": "polynomials", "polynomial-gradient": "polynomials",
-             "sloan-like": "Sloan's like, by angles", "cap-legendre": "Legendre polynomials", "cap-closed": "closed forms"}
+             "sloan-like": "Sloan's like, by angles", "cap-legendre": "Legendre polynomials",
+             "cap-closed": "closed forms"}
 SCALAR_MARKER = {"float": "o", "double": "s", "packet": "^"}
 QUANTITY = {"evaluation": "basis", "gradient": "basis and gradient", "cap": "spherical cap, zonal",
             "rotation": "zonal lobe turned (SLS05)"}
@@ -124,7 +125,8 @@ def evaluation(folder):
         for form, scalar in distinct(here, "form", "scalar"):
             colour, marker = FORM_COLOUR[form], SCALAR_MARKER[scalar]
             line = [row for row in where(here, form=form, scalar=scalar) if row["error"] > 0]
-            axis.plot([row["ns"] for row in line], [row["error"] for row in line], color=colour, alpha=0.5, linewidth=0.7)
+            axis.plot([row["ns"] for row in line], [row["error"] for row in line], color=colour, alpha=0.5,
+                      linewidth=0.7)
             for row in line:
                 front = pareto(where(here, bands=row["bands"]), lambda r: r["ns"], lambda r: r["error"])
                 axis.plot(row["ns"], row["error"], marker, color=colour, markerfacecolor=fill_of(row in front, colour))

@@ -5,6 +5,7 @@ report.sh.
 """
 import csv
 import json
+import math
 import os
 import pathlib
 import subprocess
@@ -15,10 +16,13 @@ FIELDS = ["part", "label", "scene", "width", "height", "visibility", "method", "
           "vsl_samples", "vsgl_texels", "vpl_clamp", "material_s", "lights_s", "gather_s", "rmse", "psnr_db", "ssim",
           "linear_rmse", "picture"]
 
-# `repeats`: of the runs of the tables, whose times are medians. `variants`: methods, and what makes them what they are.
+# `repeats`: of the runs of the tables, whose times are medians. `measured`: the most lights there. VPL and VSL look such
+# a BRDF up for every light, and its zonal projection takes a minute. `variants`: methods, and what makes them what they
+# are.
 SHORT = {
     "repeats": 3, "size": (128, 104), "paths": 512, "big_size": (256, 208), "big_paths": 256,
-    "lights": {"none": [64, 256, 1024], "centre": [64, 256]}, "most_points": 4096, "most_measured": 256,
+    "lights": {"none": [64, 256, 1024], "centre": [64, 256]}, "most_points": 4096,
+    "measured": {"vpl": 256, "vsl": 256, "hvl-zonal": 0},
     "variants": {
         "none": [("vpl", {}), ("vpl", {"vpl_clamp": 1}), ("vsl", {"vsl_samples": 4}), ("vsl", {"vsl_samples": 16}),
                  ("vsgl", {"vsgl_texels": 4}), ("hvl", {"bands": 3}), ("hvl", {"bands": 5}), ("hvl", {"bands": 9}),
@@ -33,17 +37,16 @@ EVERY_VARIANT = [("vpl", {}), ("vpl", {"vpl_clamp": 1}), ("vsl", {"vsl_samples":
                  ("hvl-zonal", {"bands": 9}), ("hvl-zonal", {"bands": 15})]
 FULL = {
     "repeats": 5, "size": (320, 256), "paths": 1024, "big_size": (1280, 1024), "big_paths": 512,
-    "lights": {"none": [64, 144, 256, 576, 1024, 2304, 4096], "centre": [64, 256, 1024]}, "most_points": 16384,
-    "most_measured": 16384,
+    "lights": {"none": [64, 144, 256, 576, 1024, 2304, 4096], "centre": [64, 256, 1024]}, "most_points": 16384, "measured": {},
     "variants": {"none": EVERY_VARIANT, "centre": EVERY_VARIANT},
 }
 
 
 QUICK = {  # shows that all is there
     "repeats": 1, "size": (32, 26), "paths": 4, "big_size": (40, 32), "big_paths": 4,
-    "lights": {"none": [16, 64], "centre": [16]}, "most_points": 100, "most_measured": 100,
-    "variants": {visibility: [("vpl", {}), ("vsl", {}), ("vsgl", {}), ("hvl", {"bands": 3}), ("hvl", {"bands": 9})]
-                 for visibility in ("none", "centre")},
+    "lights": {"none": [16], "centre": [16]}, "most_points": 64, "measured": {},
+    "variants": dict.fromkeys(
+        ("none", "centre"), [("vpl", {}), ("vsgl", {}), ("hvl", {"bands": 3}), ("hvl", {"bands": 9})]),
 }
 
 
@@ -124,9 +127,8 @@ def light_counts(plan, scene, visibility, method):
     counts = plan["lights"][visibility]
     if method == "vpl" and visibility == "none":
         counts = counts + [plan["most_points"]]
-    if scene == "measured" and method in ("vpl", "vsl"):  # which look up the BRDF for every light
-        counts = [count for count in counts if count <= plan["most_measured"]]
-    return counts
+    most = plan["measured"].get(method, math.inf) if scene == "measured" else math.inf
+    return [count for count in counts if count <= most]
 
 
 def sweep(renderer, plan):

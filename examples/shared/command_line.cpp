@@ -118,7 +118,8 @@ void add_run_options(CLI::App& app, CommonOptions& options) {
 }
 
 void add_scene_options(CLI::App& app, CommonOptions& options) {
-  app.add_option("--scene", options.scene, "The built-in hall, all matte, or glossy all over; or a Wavefront OBJ file with its MTL")
+  app.add_option("--scene", options.scene,
+                 "The built-in hall, all matte, or glossy all over; or a Wavefront OBJ file with its MTL")
       ->type_name("atrium|atrium-diffuse|atrium-glossy|FILE.obj")
       ->check(not_empty())
       ->capture_default_str()

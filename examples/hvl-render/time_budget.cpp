@@ -40,35 +40,35 @@ Probe probe_picture(const Scene& scene, const RayCaster& caster, const Options& 
   return probe;
 }
 
-/// Seconds for the whole picture with so many lights: shooting them, and gathering at the probe's hits, each the least
-/// of some runs.
+/// Seconds for the whole picture with so many lights: shooting them, and gathering at the probe's hits, as often as it
+/// takes for a reliable mean.
 double measure(const Scene& scene, const RayCaster& caster, const MaterialTables& materials, const Probe& probe,
                Options options, int lights) {
+  constexpr double reliable_seconds = 0.1;
   using Clock = std::chrono::steady_clock;
   const auto seconds = [](Clock::time_point from) {
     return std::chrono::duration<double>(Clock::now() - from).count();
   };
   options.lights = lights;
-  double shooting = std::numeric_limits<double>::infinity(), gathering = shooting, spent = 0.0;
-  for (int run = 0; run < 5 && (run < 2 || spent < 0.05); ++run) {
-    throw_if_interrupted();
+  double shooting = 0.0, gathering = 0.0;
+  int runs = 0;
+  for (; runs == 0 || shooting + gathering < reliable_seconds; ++runs) {
     auto start = Clock::now();
     const VirtualLightMap map = shoot_virtual_lights(scene, caster, materials, options);
     const auto gatherer = make_gatherer({scene, caster, materials, map, options});
-    shooting = std::min(shooting, seconds(start));
+    shooting += seconds(start);
 
     start = Clock::now();
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, probe.hits.size(), 64), [&](const auto& range) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, probe.hits.size(), 16), [&](const auto& range) {
       for (std::size_t i = range.begin(); i != range.end() && !stop_requested(); ++i) {
         const glm::vec3 radiance = gatherer->indirect_radiance(probe.hits[i], towards_camera(scene, probe.hits[i]), i);
         static_cast<void>(radiance);
       }
     });
+    gathering += seconds(start);
     throw_if_interrupted();
-    gathering = std::min(gathering, seconds(start));
-    spent += seconds(start);
   }
-  return shooting + gathering / probe.share;
+  return (shooting + gathering / probe.share) / runs;
 }
 
 /// A square map, and how long it takes.
@@ -94,6 +94,7 @@ int lights_within_budget(const Scene& scene, const RayCaster& caster, const Mate
   const auto attempt = [&](int side) {
     return Trial{side, measure(scene, caster, materials, probe, options, side * side)};
   };
+  attempt(1);  // not counted: it warms the caches
   Trial within = attempt(1);
   if (within.seconds > budget) return 1;
   Trial beyond{greatest_side(options) + 1, std::numeric_limits<double>::infinity()};

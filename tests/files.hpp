@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <random>
 #include <string>
 
 namespace file_test {
@@ -48,6 +49,29 @@ inline void patch(const std::filesystem::path& path, std::size_t offset, const s
 template <class T>
 std::string raw(const T& value) {
   return {reinterpret_cast<const char*>(&value), sizeof value};
+}
+
+/// check(damaged bytes, place) for one wrong bit in each byte of the head, and in every stride-th byte after it.
+template <class Check>
+void for_each_wrong_bit(const std::string& good, std::size_t head, std::size_t stride, const Check& check) {
+  std::mt19937 random(82);
+  for (std::size_t i = 0; i < good.size(); i += i < head ? 1 : stride) {
+    std::string bad = good;
+    bad[i] = static_cast<char>(bad[i] ^ (1 << random() % 8));
+    check(bad, i);
+  }
+}
+
+/// check(bytes, length) for lengths that are not the file's: none, within the head and just after it, half, and one
+/// byte more or less than the whole.
+template <class Check>
+void for_each_wrong_length(const std::string& good, std::size_t head, const Check& check) {
+  for (const std::size_t length :
+       {std::size_t{0}, std::size_t{7}, head - 1, head + 7, good.size() / 2, good.size() - 1, good.size() + 1}) {
+    std::string bad = good;
+    bad.resize(length);
+    check(bad, length);
+  }
 }
 
 }  // namespace file_test

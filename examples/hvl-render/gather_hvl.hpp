@@ -7,7 +7,7 @@
 #include <zonal/basis/bands.hpp>
 #include <zonal/gather/hvl.hpp>
 
-#include "gatherer.hpp"
+#include "cached_gatherer.hpp"
 
 namespace example::hvl_render {
 
@@ -23,39 +23,7 @@ constexpr bool contains(const std::array<int, Size>& numbers, int number) {
   return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
 }
 
-inline zonal::Receiver receiver(const Hit& hit, const glm::vec3& outgoing) {
-  return {hit.position, hit.normal, outgoing};
-}
-
-/// A ray to the light's centre, just off its surface; or none, and all is visible.
-inline zonal::Visibility visibility(const GatherInput& input, const Hit& hit) {
-  if (!input.options.centre_visibility) return {};
-  struct Ray {
-    const RayCaster& caster;
-    const Hit& from;
-  };
-  const Ray ray{input.caster, hit};
-  return [ray](const glm::vec3& position, const glm::vec3& normal) {
-    return ray.caster.visible(ray.from, Hit{position, normal, normal, 0.0f, 0});
-  };
-}
-
-template <int N, int NE, zonal::Horizon H>
-class HvlGatherer final : public Gatherer {
- public:
-  explicit HvlGatherer(const GatherInput& input) : input_(input), cache_(lit(input.map)) {}
-
-  glm::vec3 indirect_radiance(const Hit& hit, const glm::vec3& outgoing, std::size_t) const override {
-    return zonal::gather<N, NE, H>(cache_, receiver(hit, outgoing), input_.materials.receiving[hit.material],
-                                   visibility(input_, hit));
-  }
-
- private:
-  GatherInput input_;
-  zonal::HvlCache<NE> cache_;
-};
-
-/// Null for numbers of bands that are not compiled in.
+/// Null for numbers of bands that are not compiled in, here and below.
 template <zonal::Horizon H>
 std::unique_ptr<Gatherer> make_hvl(const GatherInput& input) {
   std::unique_ptr<Gatherer> gatherer;
@@ -64,11 +32,17 @@ std::unique_ptr<Gatherer> make_hvl(const GatherInput& input) {
       constexpr int N = n;
       constexpr int NE = ne;
       if constexpr (contains(compiled_bands, N) && contains(compiled_emission_bands, NE)) {
-        gatherer = std::make_unique<HvlGatherer<N, NE, H>>(input);
+        const auto gather = [&tables = input.materials](const auto& cache, const zonal::Receiver& receiver,
+                                                        auto material, std::size_t, const zonal::Visibility& visible) {
+          return zonal::gather<N, NE, H>(cache, receiver, tables.receiving[material], visible);
+        };
+        gatherer = make_cached(input, zonal::HvlCache<NE>(lit(input.map)), gather);
       }
     });
   });
   return gatherer;
 }
+
+std::unique_ptr<Gatherer> make_hvl_zonal(const GatherInput& input);
 
 }  // namespace example::hvl_render

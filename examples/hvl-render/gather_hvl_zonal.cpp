@@ -3,31 +3,18 @@
 #include "gather_hvl.hpp"
 
 namespace example::hvl_render {
-namespace {
 
-template <int N>
-class ZonalGatherer final : public Gatherer {
- public:
-  explicit ZonalGatherer(const GatherInput& input) : input_(input), cache_(lit(input.map)) {}
-
-  glm::vec3 indirect_radiance(const Hit& hit, const glm::vec3& outgoing, std::size_t) const override {
-    return zonal::gather_hvl_zonal<N>(cache_, receiver(hit, outgoing), input_.materials.zonal[hit.material],
-                                      visibility(input_, hit));
-  }
-
- private:
-  GatherInput input_;
-  zonal::LightCache cache_;
-};
-
-}  // namespace
-
-/// Null for numbers of bands that are not compiled in.
 std::unique_ptr<Gatherer> make_hvl_zonal(const GatherInput& input) {
   std::unique_ptr<Gatherer> gatherer;
   zonal::dispatch_bands<1, compiled_zonal_bands.back()>(input.options.bands, [&](auto n) {
     constexpr int N = n;
-    if constexpr (contains(compiled_zonal_bands, N)) gatherer = std::make_unique<ZonalGatherer<N>>(input);
+    if constexpr (contains(compiled_zonal_bands, N)) {
+      const auto gather = [&tables = input.materials](const auto& cache, const zonal::Receiver& receiver, auto material,
+                                                      std::size_t, const zonal::Visibility& visible) {
+        return zonal::gather_hvl_zonal<N>(cache, receiver, tables.zonal[material], visible);
+      };
+      gatherer = make_cached(input, zonal::LightCache(lit(input.map)), gather);
+    }
   });
   return gatherer;
 }

@@ -12,71 +12,59 @@ namespace example::hvl_render {
 
 extern template std::unique_ptr<Gatherer> make_hvl<zonal::Horizon::smoothstep>(const GatherInput& input);
 extern template std::unique_ptr<Gatherer> make_hvl<zonal::Horizon::exact>(const GatherInput& input);
-std::unique_ptr<Gatherer> make_hvl_zonal(const GatherInput& input);
 
 namespace {
 
-class VplGatherer final : public Gatherer {
- public:
-  explicit VplGatherer(const GatherInput& input) : input_(input), cache_(lit(input.map)) {}
+using zonal::Receiver;
+using zonal::Visibility;
 
-  glm::vec3 indirect_radiance(const Hit& hit, const glm::vec3& outgoing, std::size_t) const override {
-    return gather_vpl(cache_, receiver(hit, outgoing), input_.scene.materials[hit.material].brdf,
-                      input_.options.vpl_clamp, visibility(input_, hit));
+std::unique_ptr<Gatherer> make_vpl(const GatherInput& input) {
+  const auto gather = [&scene = input.scene, clamp = input.options.vpl_clamp](const auto& cache,
+                                                                              const Receiver& receiver, auto material,
+                                                                              std::size_t, const Visibility& visible) {
+    return gather_vpl(cache, receiver, scene.materials[material].brdf, clamp, visible);
+  };
+  return make_cached(input, zonal::LightCache(lit(input.map)), gather);
+}
+
+std::unique_ptr<Gatherer> make_vsl(const GatherInput& input) {
+  const auto gather = [&scene = input.scene, samples = input.options.vsl_samples, seed = hash64(input.options.seed)](
+                          const auto& cache, const Receiver& receiver, auto material, std::size_t sample,
+                          const Visibility& visible) {
+    Pcg32 random(seed ^ static_cast<std::uint64_t>(sample));
+    const auto uniform = [&random] { return random.uniform(); };
+    return gather_vsl(cache, receiver, scene.materials[material].brdf, samples, uniform, visible);
+  };
+  return make_cached(input, zonal::LightCache(lit(input.map)), gather);
+}
+
+std::unique_ptr<Gatherer> make_vsgl(const GatherInput& input) {
+  const auto gather = [&scene = input.scene](const auto& cache, const Receiver& receiver, auto material, std::size_t,
+                                             const Visibility& visible) {
+    return gather_vsgl(cache, receiver, scene.materials[material].brdf, visible);
+  };
+  const auto lights = zonal::make_gaussian_lights(input.map.lights.data(), input.map.side, block_side(input.options));
+  return make_cached(input, zonal::GaussianCache(lights), gather);
+}
+
+std::unique_ptr<Gatherer> make(const GatherInput& input) {
+  switch (input.options.method) {
+    case Method::vpl: return make_vpl(input);
+    case Method::vsl: return make_vsl(input);
+    case Method::vsgl: return make_vsgl(input);
+    case Method::hvl:
+      return input.options.horizon == HorizonRule::exact ? make_hvl<zonal::Horizon::exact>(input)
+                                                         : make_hvl<zonal::Horizon::smoothstep>(input);
+    case Method::hvl_zonal: return make_hvl_zonal(input);
+    case Method::path: break;
   }
-
- private:
-  GatherInput input_;
-  zonal::LightCache cache_;
-};
-
-class VslGatherer final : public Gatherer {
- public:
-  explicit VslGatherer(const GatherInput& input) : input_(input), cache_(lit(input.map)) {}
-
-  glm::vec3 indirect_radiance(const Hit& hit, const glm::vec3& outgoing, std::size_t sample) const override {
-    Pcg32 random(hash64(input_.options.seed) ^ static_cast<std::uint64_t>(sample));
-    return gather_vsl(
-        cache_, receiver(hit, outgoing), input_.scene.materials[hit.material].brdf, input_.options.vsl_samples,
-        [&random] { return random.uniform(); }, visibility(input_, hit));
-  }
-
- private:
-  GatherInput input_;
-  zonal::LightCache cache_;
-};
-
-class VsglGatherer final : public Gatherer {
- public:
-  explicit VsglGatherer(const GatherInput& input)
-      : input_(input),
-        cache_(zonal::make_gaussian_lights(input.map.lights.data(), input.map.side, block_side(input.options))) {}
-
-  glm::vec3 indirect_radiance(const Hit& hit, const glm::vec3& outgoing, std::size_t) const override {
-    return gather_vsgl(cache_, receiver(hit, outgoing), input_.scene.materials[hit.material].brdf,
-                       visibility(input_, hit));
-  }
-
- private:
-  GatherInput input_;
-  zonal::GaussianCache cache_;
-};
+  return nullptr;
+}
 
 }  // namespace
 
 std::unique_ptr<Gatherer> make_gatherer(const GatherInput& input) {
-  std::unique_ptr<Gatherer> gatherer;
-  switch (input.options.method) {
-    case Method::vpl: return std::make_unique<VplGatherer>(input);
-    case Method::vsl: return std::make_unique<VslGatherer>(input);
-    case Method::vsgl: return std::make_unique<VsglGatherer>(input);
-    case Method::hvl:
-      gatherer = input.options.horizon == HorizonRule::exact ? make_hvl<zonal::Horizon::exact>(input)
-                                                             : make_hvl<zonal::Horizon::smoothstep>(input);
-      break;
-    case Method::hvl_zonal: gatherer = make_hvl_zonal(input); break;
-    case Method::path: break;
-  }
+  std::unique_ptr<Gatherer> gatherer = make(input);
   if (!gatherer) throw InputError("these numbers of bands are not compiled in");
   return gatherer;
 }

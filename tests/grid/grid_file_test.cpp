@@ -92,22 +92,16 @@ TEST_CASE("grid file: any one bit that is wrong, and any other length, is an err
   const std::string good = bytes_of(path);
   REQUIRE(error_of(path).empty());
 
-  std::mt19937 random(82);
-  for (std::size_t i = 0; i < good.size(); i += i < 80 ? 1 : 37) {
-    std::string bad = good;
-    bad[i] = static_cast<char>(bad[i] ^ (1 << random() % 8));
+  for_each_wrong_bit(good, 80, 37, [&](const std::string& bad, std::size_t place) {
     write(path, bad);
-    CAPTURE(i);
+    CAPTURE(place);
     REQUIRE(contains(error_of(path), path.string() + ": "));
-  }
-  for (const std::size_t length : {std::size_t{0}, std::size_t{7}, std::size_t{59}, std::size_t{67}, good.size() - 1,
-                                   good.size() + 1, good.size() / 2}) {
-    std::string bad = good;
-    bad.resize(length);
+  });
+  for_each_wrong_length(good, 60, [&](const std::string& bad, std::size_t length) {
     write(path, bad);
     CAPTURE(length);
     REQUIRE(contains(error_of(path), "is "));
-  }
+  });
   std::string huge = good;
   std::fill(huge.begin() + 16, huge.begin() + 28, '\x7F');  // 2139062143 vertices on each axis
   write(path, huge);

@@ -83,22 +83,16 @@ TEST_CASE("material file: every damaged byte, and every wrong length, is an erro
   const std::string good = bytes_of(path);
   REQUIRE(error_of(path).empty());
 
-  std::mt19937 random(22);
-  for (std::size_t i = 0; i < good.size(); i += i < 60 ? 1 : 7) {
-    std::string bad = good;
-    bad[i] = static_cast<char>(bad[i] ^ (1 << random() % 8));
+  for_each_wrong_bit(good, 60, 7, [&](const std::string& bad, std::size_t place) {
     write(path, bad);
-    CAPTURE(i);
+    CAPTURE(place);
     REQUIRE(contains(error_of(path), path.string() + ": "));
-  }
-  for (const std::size_t length : {std::size_t{0}, std::size_t{7}, std::size_t{35}, std::size_t{43}, good.size() - 1,
-                                   good.size() + 1, good.size() / 2}) {
-    std::string bad = good;
-    bad.resize(length);
+  });
+  for_each_wrong_length(good, 36, [&](const std::string& bad, std::size_t length) {
     write(path, bad);
     CAPTURE(length);
     REQUIRE(contains(error_of(path), "is "));
-  }
+  });
   const auto patched = [&](std::size_t offset, std::uint32_t value) {
     write(path, good);
     patch(path, offset, raw(value));

@@ -11,6 +11,7 @@
 #include "option_names.hpp"
 #include "shared/command_line.hpp"
 #include "shared/input_error.hpp"
+#include "virtual_lights.hpp"
 
 namespace example::hvl_render {
 namespace {
@@ -85,7 +86,7 @@ void set_radius(const std::string& radius, Options& options) {
 void add_virtual_light_options(CLI::App& app, Options& options) {
   const std::string group = "Virtual lights";
   CLI::Option* lights =
-      add_number(app, "--lights", options.lights, 1, 1000000, "1...1000000", "How many; rounded up to a square")
+      add_number(app, "--lights", options.lights, 1, most_lights, "1...1000000", "How many; rounded up to a square")
           ->group(group);
   app.add_option_function<double>(
          "--time-budget", [&options](const double& seconds) { options.time_budget = seconds; },
@@ -157,6 +158,7 @@ void check_methods(const CLI::App& app, const Options& options) {
       {"--vsgl-texels", {Method::vsgl}},
       {"--bands", {Method::hvl, Method::hvl_zonal}},
       {"--time-budget", {Method::vpl, Method::vsl, Method::vsgl, Method::hvl, Method::hvl_zonal}},
+      {"--material-cache", hvl},
       {"--emission-bands", hvl},
       {"--horizon", hvl},
       {"--window", hvl},
@@ -169,6 +171,13 @@ void check_methods(const CLI::App& app, const Options& options) {
   if (options.comparing() && !options.needs_lights()) {
     throw InputError("--compare renders paths beside another method: choose one");
   }
+}
+
+void check_map(const Options& options) {
+  const int side = map_side(options);
+  if (side <= most_texels_across) return;
+  throw InputError("--lights and --vsgl-texels ask for a map of " + std::to_string(side) +
+                   " texels across, more than " + std::to_string(most_texels_across));
 }
 
 void check_bands(const Options& options) {
@@ -200,6 +209,7 @@ CommandLine<Options> parse_command_line(int argc, char** argv) {
   if (!line.exit_status) {
     check_methods(app, line.options);
     check_bands(line.options);
+    check_map(line.options);
   }
   return line;
 }

@@ -37,8 +37,6 @@ void add_errors(Column& column, const ImageErrors& errors) {
 Column lights_column(const Report& report) {
   const StageTimes& times = report.times;
   const double materials = times.seconds(stage_name::materials);
-  const double lights = times.seconds(stage_name::lights);
-  const double gather = times.seconds(stage_name::gather);
   Column column;
   const Options& options = report.options;
   column.method = name_of(method_names, options.method);
@@ -50,9 +48,9 @@ Column lights_column(const Report& report) {
   }
   if (options.method == Method::hvl_zonal) column.bands = std::to_string(options.bands);
   if (materials > 0.001) column.materials = seconds_text(materials);
-  column.lights = seconds_text(lights);
-  column.indirect = seconds_text(gather);
-  add_shared(column, times, materials + lights + gather);
+  column.lights = seconds_text(times.seconds(stage_name::lights));
+  column.indirect = seconds_text(times.seconds(stage_name::gather));
+  add_shared(column, times, materials + light_seconds(report));
   if (report.errors) add_errors(column, *report.errors);
   column.cost = format("%.2f", nanoseconds_per_gather(report));
   return column;
@@ -99,12 +97,26 @@ std::vector<Row> table_rows(const std::vector<Column>& columns) {
   return rows;
 }
 
+/// What came of a time budget.
+std::string budget_text(const Report& report) {
+  const double given = *report.options.time_budget, took = light_seconds(report);
+  if (report.options.lights == 1 && took > given) {
+    return format("A time budget of %.3g s is too short: one light took %.3g s.\n", given, took);
+  }
+  return format("In a time budget of %.3g s, %d light%s took %.3g s.\n", given, report.options.lights,
+                report.options.lights == 1 ? "" : "s", took);
+}
+
 }  // namespace
 
 double nanoseconds_per_gather(const Report& report) {
   const double pairs =
       static_cast<double>(report.counts.primary_hits) * static_cast<double>(report.counts.virtual_lights);
   return pairs > 0.0 ? 1e9 * report.times.seconds(stage_name::gather) / pairs : 0.0;
+}
+
+double light_seconds(const Report& report) {
+  return report.times.seconds(stage_name::lights) + report.times.seconds(stage_name::gather);
 }
 
 std::string table(const Report& report) {
@@ -114,9 +126,7 @@ std::string table(const Report& report) {
   std::string text = align(table_rows(columns));
   const auto asked = static_cast<std::size_t>(report.options.lights);
   if (report.options.time_budget) {
-    text += format("%.3g s were given for lights and gather: %zu light%s, %.3g s.\n", *report.options.time_budget,
-                   asked, asked == 1 ? ", and fewer there cannot be" : "s",
-                   report.times.seconds(stage_name::lights) + report.times.seconds(stage_name::gather));
+    text += budget_text(report);
   } else if (report.options.needs_lights() && report.options.method != Method::vsgl &&
              report.counts.map_lights != asked) {
     text += format("%zu lights were asked for: the map has %zu, the next square.\n", asked, report.counts.map_lights);

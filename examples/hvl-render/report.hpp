@@ -45,6 +45,9 @@ struct Report {
 /// lights.
 double nanoseconds_per_gather(const Report& report);
 
+/// What a time budget is for: shooting the virtual lights, and gathering them.
+double light_seconds(const Report& report);
+
 /// The aligned table for the terminal.
 std::string table(const Report& report);
 

@@ -34,6 +34,7 @@ nlohmann::json options_json(const Options& options) {
                {"method", name_of(method_names, options.method)},
                {"compare", options.comparing()},
                {"time_budget_seconds", options.time_budget ? nlohmann::json(*options.time_budget) : nlohmann::json()},
+               {"material_cache", options.material_cache},
                {"visibility", name_of(visibility_names, options.centre_visibility)},
                {"vpl_clamp", options.vpl_clamp},
                {"vsl_samples", options.vsl_samples},
@@ -71,6 +72,12 @@ nlohmann::json counts_json(const Counts& counts) {
           {"pixels_not_finite", counts.pixels_not_finite}};
 }
 
+nlohmann::json budget_json(const Report& report) {
+  return {{"given_seconds", *report.options.time_budget},
+          {"lights", report.options.lights},
+          {"took_seconds", light_seconds(report)}};
+}
+
 }  // namespace
 
 std::string json_text(const Report& report) {
@@ -80,11 +87,13 @@ std::string json_text(const Report& report) {
     json["material_projection_error"] = report.material_error;
     json["gather_ns_per_hit_and_light"] = nanoseconds_per_gather(report);
   }
+  if (report.options.time_budget) json["time_budget"] = budget_json(report);
   if (report.errors) json["errors"] = errors_json(*report.errors);
   if (report.options.comparing()) {
-    json["difference_map"] = {{"quantity", "display luma, the method minus reference"},
-                              {"red", "the method is brighter"},
-                              {"blue", "the method is darker"},
+    const std::string method = name_of(method_names, report.options.method);
+    json["difference_map"] = {{"quantity", "display luma, " + method + " minus reference"},
+                              {"red", method + " is brighter"},
+                              {"blue", method + " is darker"},
                               {"saturates_at", difference_full_scale}};
   }
   return file_text(json);

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include <tbb/parallel_for.h>
 #include <zonal/gather/radius.hpp>
 #include <zonal/material/material_file.hpp>
 #include <zonal/transform/window.hpp>
 
+#include "shared/input_error.hpp"
 #include "shared/interrupt.hpp"
+#include "shared/output_file.hpp"
 
 namespace example::hvl_render {
 namespace {
@@ -50,6 +53,11 @@ int map_side(const Options& options) {
   return static_cast<int>(std::ceil(std::sqrt(static_cast<double>(options.lights)))) * block_side(options);
 }
 
+int greatest_side(const Options& options) {
+  const int most = static_cast<int>(std::sqrt(static_cast<double>(most_lights)));
+  return std::min(most, most_texels_across / block_side(options));
+}
+
 VirtualLightMap shoot_virtual_lights(const Scene& scene, const RayCaster& caster, const MaterialTables& tables,
                                      const Options& options) {
   const int side = map_side(options);
@@ -86,9 +94,13 @@ zonal::MaterialTable project(const Material& material, int bands, const Options&
   constexpr int all_bands = zonal::MaterialTable::max_bands;
   const std::filesystem::path path =
       std::filesystem::path(options.material_cache) / (material.file.filename().string() + ".table");
-  return zonal::cached_material_table(path, zonal::material_fingerprint(material.file, all_bands, tolerance), [&] {
-    return zonal::project_material(material.brdf, all_bands, tolerance, for_each);
-  });
+  try {
+    return zonal::cached_material_table(path, zonal::material_fingerprint(material.file, all_bands, tolerance), [&] {
+      return zonal::project_material(material.brdf, all_bands, tolerance, for_each);
+    });
+  } catch (const zonal::FileError& error) {
+    throw InputError(error.what());
+  }
 }
 
 }  // namespace
@@ -96,6 +108,8 @@ zonal::MaterialTable project(const Material& material, int bands, const Options&
 MaterialTables project_materials(const std::vector<Material>& materials, const Options& options) {
   const auto for_each = [](int count, const auto& body) { tbb::parallel_for(0, count, body); };
   const int bands = std::max(options.bands, options.emission_bands);
+  std::optional<OutputDirectory> cache;
+  if (options.method == Method::hvl && !options.material_cache.empty()) cache.emplace(options.material_cache);
   MaterialTables tables;
   for (const Material& material : materials) {
     throw_if_interrupted();

@@ -33,6 +33,13 @@ struct VirtualLightMap {
 /// The side of the square map for the options' lights: as many lights at least, or as many blocks.
 int map_side(const Options& options);
 
+/// What --lights and a map can be at most: more texels would ask for gigabytes.
+inline constexpr int most_lights = 1000000;
+inline constexpr int most_texels_across = 2048;
+
+/// The greatest map of the options' method, as the square root of --lights.
+int greatest_side(const Options& options);
+
 /// Texels along one side of what one light stands for.
 int block_side(const Options& options);
 

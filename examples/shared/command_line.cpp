@@ -118,8 +118,11 @@ void add_run_options(CLI::App& app, CommonOptions& options) {
 }
 
 void add_scene_options(CLI::App& app, CommonOptions& options) {
-  app.add_option("--scene", options.scene, "The built-in hall, all matte, or glossy all over; or a Wavefront OBJ file with its MTL")
-      ->type_name("atrium|atrium-diffuse|atrium-glossy|FILE.obj")
+  app.add_option(
+         "--scene", options.scene,
+         "The built-in hall, all matte, or glossy all over; the inside of a white sphere; or a Wavefront OBJ file "
+         "with its MTL")
+      ->type_name("atrium|atrium-diffuse|atrium-glossy|furnace|FILE.obj")
       ->check(not_empty())
       ->capture_default_str()
       ->group(scene_group);

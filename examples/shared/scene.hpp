@@ -53,6 +53,9 @@ Bounds bounds_of(const Mesh& mesh);
 enum class AtriumFinish { mixed, diffuse, glossy };
 Scene make_atrium(AtriumFinish finish = AtriumFinish::mixed);
 
+/// A white sphere about its light, seen from inside. All that it reflects once is the same at all its points.
+Scene make_furnace();
+
 /// An OBJ file and its MTL, camera and light fitted to it; `stage` puts it on a floor before a wall. Throws
 /// InputError.
 Scene load_obj(const std::string& path, bool stage);

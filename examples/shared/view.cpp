@@ -9,6 +9,7 @@ Scene open_scene(const CommonOptions& options) {
   for (const auto& [name, finish] : atrium_names) {
     if (options.scene == name) return make_atrium(finish);
   }
+  if (options.scene == "furnace") return make_furnace();
   return load_obj(options.scene, options.stage);
 }
 

@@ -42,6 +42,9 @@ foreach(option vpl-clamp vsl-samples vsgl-texels)
   refused("${option} -1" "--${option}: '-1' is not in .*" --${option} -1)
 endforeach()
 refused("option of another method" "--vsl-samples means nothing to --method vpl" --method vpl --vsl-samples 9)
+refused("cache of no table" "--material-cache means nothing to --method vpl" --method vpl --material-cache x)
+refused("map too large" "--lights and --vsgl-texels ask for a map of 1024000 texels across, more than 2048"
+  --method vsgl --lights 1000000 --vsgl-texels 1024)
 refused("bands of no band" "--bands means nothing to --method vsgl" --method vsgl --bands 3)
 refused("bands of hvl-zonal" "--bands: '21' is not one of 1.2.3.4.5.7.9, which --method hvl has" --bands 21)
 refused("bands of hvl" "--bands: '4' is not one of 3.5.7.9.15.21, which --method hvl-zonal has" --method hvl-zonal --bands 4)
@@ -115,13 +118,16 @@ foreach(method vpl vsl vsgl hvl-zonal)
   list(JOIN compared " " compared)
   renders("comparison of ${method}" "out ${compared}" "" --scene box.obj --method ${method} --compare out)
 endforeach()
-foreach(scene atrium-diffuse atrium-glossy)
+foreach(scene atrium-diffuse atrium-glossy furnace)
   renders("${scene}" "x.png" "" --scene ${scene} --out x.png)
 endforeach()
 renders("other materials" "x.exr" "" --out x.exr --material gold=copper:0.1 --material *=plastic:0.1,0.2,0.3,0.4)
 program_case("time budget" 0 "x.png" "" $<TARGET_FILE:hvl-render> --size 64x48 --time-budget 0.05 --out x.png --quiet)
 
 stops(--compare out --spp 1000000)
+program_case("stopped while it chooses the lights" 130 "" "hvl-render: interrupted, nothing written"
+  timeout --preserve-status --kill-after=10 --signal=INT 2 $<TARGET_FILE:hvl-render>
+  --size 4096x4096 --method vsl --vsl-samples 1024 --time-budget 80000)
 shows_progress(--method path --threads 1 --spp 32 --size 160x128)
 
 # ---- Numbers --------------------------------------------------------------------------------------------------------

@@ -1,8 +1,10 @@
 // What hvl-render's own comparison cannot show, because both its sides have it: the path tracer against estimators that
 // share nothing with it, and materials from files.
 #include "hvl-render/direct_light.hpp"
+#include "hvl-render/gatherer.hpp"
 #include "hvl-render/material_change.hpp"
 #include "hvl-render/path.hpp"
+#include "hvl-render/time_budget.hpp"
 #include "hvl-render/virtual_lights.hpp"
 
 #include <cmath>
@@ -150,6 +152,80 @@ TEST_CASE("paths agree with brute-force quadrature, and with light tracing, with
   }
 }
 
+TEST_CASE("the furnace: paths, and ever so few lights, find the light that an integrating sphere has everywhere") {
+  const Scene scene = make_furnace();
+  const RayCaster caster(scene);
+  Options options;
+  options.method = Method::vpl;
+  options.lights = 50 * 50;
+  const auto map = shoot_virtual_lights(scene, caster, {}, options);
+  glm::dvec3 power(0.0);
+  for (const zonal::VirtualLight& light : map.lights) power += glm::dvec3(light.flux);
+  const double radius = 2.0, albedo = 0.8;
+  // Each part of a sphere sends as much to every other: E = albedo times power / area.
+  const double expected = albedo / pi * albedo * power.x / (4.0 * pi * radius * radius);
+  const PathTracer tracer(scene, caster, {4096, 1, 3}, 1);
+  for (const glm::vec3& towards :
+       {glm::vec3(0.1f, 0.2f, -1.0f), glm::vec3(0.8f, 0.5f, -0.4f), glm::vec3(0.1f, -0.9f, 0)}) {
+    const Hit hit = *caster.closest(scene.camera.position, glm::normalize(towards));
+    CHECK(by_light_tracing(scene, caster, map.lights, hit).x == Catch::Approx(expected).epsilon(2e-3));
+    CHECK(tracer.indirect_radiance(hit, 1).x == Catch::Approx(expected).epsilon(0.01));
+  }
+}
+
+namespace {
+
+/// The lights that a budget allows, and how long the picture's gather takes with them on a share of its points.
+int lights_within(double seconds, Method method) {
+  const Scene scene = box_scene();
+  const RayCaster caster(scene);
+  Options options;
+  options.method = method;
+  options.width = options.height = 128;
+  options.time_budget = seconds;
+  return lights_within_budget(scene, caster, project_materials(scene.materials, options), options);
+}
+
+}  // namespace
+
+TEST_CASE("time budget: more time is more lights, and none is one") {
+  for (const Method method : {Method::vpl, Method::hvl_zonal, Method::vsgl}) {
+    const int none = lights_within(1e-6, method), some = lights_within(0.1, method), many = lights_within(4.0, method);
+    CAPTURE(static_cast<int>(method), some, many);
+    CHECK(none == 1);
+    CHECK(some < many);
+    CHECK(many <= most_lights);
+  }
+}
+
+TEST_CASE("every method: a finite picture that is not black, with visibility no brighter than without") {
+  const Scene scene = box_scene();
+  const RayCaster caster(scene);
+  const std::vector<Hit> hits = some_hits(scene, caster);
+  for (const Method method : {Method::vpl, Method::vsl, Method::vsgl, Method::hvl, Method::hvl_zonal}) {
+    Options options;
+    options.method = method;
+    options.lights = 400;
+    const MaterialTables materials = project_materials(scene.materials, options);
+    const VirtualLightMap map = shoot_virtual_lights(scene, caster, materials, options);
+    Options seen = options;
+    seen.centre_visibility = true;
+    const auto all = make_gatherer({scene, caster, materials, map, options});
+    const auto visible = make_gatherer({scene, caster, materials, map, seen});
+    glm::vec3 sum(0.0f), visible_sum(0.0f);
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+      sum += all->indirect_radiance(hits[i], to_camera(scene, hits[i]), i);
+      visible_sum += visible->indirect_radiance(hits[i], to_camera(scene, hits[i]), i);
+    }
+    CAPTURE(static_cast<int>(method), sum.x, visible_sum.x);
+    for (int c = 0; c < 3; ++c) {
+      CHECK(std::isfinite(sum[c]));
+      CHECK(visible_sum[c] > 0.0f);
+      CHECK(visible_sum[c] <= 1.0001f * sum[c]);
+    }
+  }
+}
+
 TEST_CASE("materials: a MERL file replaces a model, for values and for sampling") {
   const Folder folder;
   const auto path = folder.path / "copper.binary";
@@ -183,6 +259,22 @@ TEST_CASE("materials: the cache of projections is written once, and read") {
   const auto read = project_materials(scene.materials, options);
   CHECK(std::filesystem::last_write_time(table) == written);
   CHECK(read.receiving[0].with_cosine_rows() == built.receiving[0].with_cosine_rows());
+}
+
+TEST_CASE("materials: the cache's directory is made; where it cannot be, that is bad input") {
+  const Folder folder;
+  file_test::write(folder.path / "copper.binary", material_test::merl_bytes(metal(*find_metal("copper"), 0.3f)));
+  Scene scene = box_scene();
+  apply({parse_material_change("gold=" + (folder.path / "copper.binary").string())}, scene.materials);
+  Options options;
+  options.material_cache = (folder.path / "copper.binary" / "cache").string();
+  CHECK_THROWS_AS(project_materials(scene.materials, options), InputError);
+  const auto table = folder.path / "cache" / "copper.binary.table";
+  options.material_cache = table.parent_path().string();
+  project_materials(scene.materials, options);
+  REQUIRE(std::filesystem::exists(table));
+  file_test::write(table, "something else");
+  CHECK_THROWS_AS(project_materials(scene.materials, options), InputError);
 }
 
 TEST_CASE("materials: what is wrong with a file is said in one line") {

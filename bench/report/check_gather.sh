@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
-# check_gather.sh HVL_RENDER ZONAL_REPORT_DATA SCRIPTS: quick renders become data, pictures and a page with a verdict on
+# check_gather.sh ZONAL_REPORT_DATA SCRIPTS [HVL_RENDER]: quick renders become data, pictures and a page with a verdict on
 # each of the paper's claims.
 set -euo pipefail
 
-[ -n "$1" ] || { echo "skipped: no hvl-render"; exit 0; }
+[ -n "${3-}" ] || { echo "skipped: no hvl-render"; exit 0; }
 python=/usr/bin/python3
 "$python" -c 'import matplotlib' 2>/dev/null || { echo "skipped: no matplotlib"; exit 0; }
 folder="$(mktemp -d)"
 trap 'rm -rf "$folder"' EXIT
 
-"$python" "$3/report_gather.py" "$1" "$2" "$folder" --quick
-"$python" "$3/report.py" plot "$folder"
+"$python" "$2/report_gather.py" "$3" "$1" "$folder" --quick
+"$python" "$2/report.py" plot "$folder"
 awk -F, 'NR > 1 && ($17 <= 0 || $17 > 0.5 || $16 <= 0) { print "gather.csv: " $0; bad = 1 } END { exit bad }' \
   "$folder/gather.csv"
 verdicts="$(grep -cE '^- Fig[.] 1[01] a and [bce]: [*]{2}(holds|fails|not decided)[*]{2}' "$folder/README.md")"

@@ -81,7 +81,9 @@ class Renderer:
         """hvl-render's JSON."""
         report = self.scratch / "report.json"
         command = [self.program, "--quiet", "--antialias", "1", "--size", f"{size[0]}x{size[1]}", *self.scenes[scene],
-                   "--material-cache", str(self.scratch), "--method", method, "--report", str(report)]
+                   "--method", method, "--report", str(report)]
+        if method == "hvl":
+            command += ["--material-cache", str(self.scratch)]
         for name, value in options.items():
             command += ["--" + name.replace("_", "-"), str(value)]
         subprocess.run(command, check=True)

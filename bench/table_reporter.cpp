@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "machine.hpp"
 #include "tables.hpp"
 
 namespace zonal_bench {

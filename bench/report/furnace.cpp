@@ -1,19 +1,17 @@
 // A closed white sphere whose walls send out a radiance of 1, by virtual lights: what a patch of a material on the wall
 // reflects by each gather, over what it reflects of uniform light.
 #include <array>
-#include <cmath>
 #include <random>
 #include <string>
 #include <vector>
 
-#include <glm/geometric.hpp>
 #include <zonal/gather/hvl.hpp>
 #include <zonal/gather/hvl_zonal.hpp>
 #include <zonal/gather/vpl.hpp>
 #include <zonal/gather/vsgl.hpp>
 #include <zonal/gather/vsl.hpp>
 
-#include "../kernels.hpp"
+#include "gather/furnace.hpp"
 #include "materials.hpp"
 #include "report.hpp"
 
@@ -35,50 +33,10 @@ struct Material {
         zonal_table(zonal::project_zonal(brdf, zonal::ZonalTable::max_bands)) {}
 };
 
-// side^2 lights on a spiral over the unit sphere, each as large as its share of it.
-std::vector<zonal::VirtualLight> furnace(int side, const Material& white) {
-  const int count = side * side;
-  const double pi = double(zonal::kPi);
-  std::vector<zonal::VirtualLight> lights(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i) {
-    const double z = 1 - (2 * i + 1.0) / count, phi = i * pi * (3 - std::sqrt(5.0)), r = std::sqrt(1 - z * z);
-    zonal::VirtualLight& light = lights[std::size_t(i)];
-    light.position = glm::vec3(r * std::cos(phi), r * std::sin(phi), z);
-    light.normal = light.to_primary = -light.position;
-    light.flux = glm::vec3(float(pi * 4 * pi / count));  // E = pi where the radiance of white is 1
-    light.primary_distance = 1;
-    light.radius = float(2 / std::sqrt(double(count)));
-    light.material = &white.table;
-    light.brdf = &white.brdf;
-  }
-  return lights;
-}
-
-// The mean over receivers all over the wall, seen from `degrees`, over the material's albedo there.
-template <class Gather>
-double relative_energy(const Material& material, double degrees, int receivers, const Gather& gather) {
-  const double theta = degrees / 180 * double(zonal::kPi);
-  const auto cosine = float(std::cos(theta)), sine = float(std::sin(theta));
-  const double albedo =
-      double(material.table.with_cosine<1>(cosine)[0].x) * 2 * double(zonal::constexpr_sqrt(zonal::kPi));
-  zonal_bench::Random random(5);
-  const auto direction = [&random] {
-    const auto v = zonal_bench::random_direction(random);
-    return glm::vec3(v[0], v[1], v[2]);
-  };
-  double sum = 0;
-  for (int i = 0; i < receivers; ++i) {
-    const glm::vec3 position = direction(), normal = -position;
-    const glm::vec3 tangent = glm::normalize(glm::cross(normal, direction()));
-    sum += double(gather(Receiver{position, normal, cosine * normal + sine * tangent}).x);
-  }
-  return sum / receivers / albedo;
-}
-
 class Furnace {
  public:
   Furnace(int side, const Material& white, int receivers)
-      : lights_(furnace(side, white)),
+      : lights_(gather_test::furnace(side * side, white.brdf, white.table)),
         cache_(lights_),
         harmonics_(lights_),
         gaussians_(zonal::make_gaussian_lights(lights_.data(), side, 1)),
@@ -88,7 +46,7 @@ class Furnace {
     const zonal::Brdf& brdf = material.brdf;
     const auto print = [&](const char* method, int bands, const auto& gather) {
       print_row(method, material.name, degrees, bands, lights_.size(),
-                relative_energy(material, degrees, receivers_, gather));
+                gather_test::furnace_energy(material.table, degrees, receivers_, gather));
     };
     std::mt19937 engine(6);
     const auto uniform = [&engine] { return float(engine() >> 8) * 0x1p-24F; };

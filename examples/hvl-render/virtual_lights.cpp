@@ -84,10 +84,12 @@ namespace {
 constexpr double model_tolerance = 1e-4;
 constexpr double measured_tolerance = 1e-3;  // for the kinks between samples, a tenth of the time
 
+double tolerance_of(const Material& material) { return material.file.empty() ? model_tolerance : measured_tolerance; }
+
 /// From the cache, where there is one and the material comes from a file.
 zonal::MaterialTable project(const Material& material, int bands, const Options& options) {
   const auto for_each = [](int count, const auto& body) { tbb::parallel_for(0, count, body); };
-  const double tolerance = material.file.empty() ? model_tolerance : measured_tolerance;
+  const double tolerance = tolerance_of(material);
   if (material.file.empty() || options.material_cache.empty()) {
     return zonal::project_material(material.brdf, bands, tolerance, for_each);
   }
@@ -114,7 +116,7 @@ MaterialTables project_materials(const std::vector<Material>& materials, const O
   for (const Material& material : materials) {
     throw_if_interrupted();
     if (options.method == Method::hvl_zonal) {
-      tables.zonal.push_back(zonal::project_zonal(material.brdf, options.bands, model_tolerance, for_each));
+      tables.zonal.push_back(zonal::project_zonal(material.brdf, options.bands, tolerance_of(material), for_each));
     } else if (options.method == Method::hvl) {
       const zonal::MaterialTable table = project(material, bands, options);
       tables.receiving.push_back(table.windowed(options.window, options.bands));

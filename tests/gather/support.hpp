@@ -1,4 +1,4 @@
-// Materials, random lights and receivers, and a closed sphere of lights, for the tests of this room.
+// Materials, random lights and receivers, for the tests of this room.
 #pragma once
 
 #include <zonal/gather/virtual_light.hpp>
@@ -80,24 +80,6 @@ inline zonal::VirtualLight random_light(Random& random) {
 inline std::vector<zonal::VirtualLight> random_lights(Random& random, int count) {
   std::vector<zonal::VirtualLight> lights;
   for (int i = 0; i < count; ++i) lights.push_back(random_light(random));
-  return lights;
-}
-
-/// A white unit sphere, lit from its centre so that its walls reflect a radiance of 1: `count` lights on a spiral, each
-/// as large as its share of the sphere.
-inline std::vector<zonal::VirtualLight> furnace(int count) {
-  std::vector<zonal::VirtualLight> lights;
-  for (int i = 0; i < count; ++i) {
-    const double z = 1 - (2 * i + 1.0) / count, phi = i * pi * (3 - std::sqrt(5.0)), r = std::sqrt(1 - z * z);
-    zonal::VirtualLight light;
-    light.position = glm::vec3(r * std::cos(phi), r * std::sin(phi), z);
-    light.normal = light.to_primary = -light.position;
-    light.flux = glm::vec3(float(pi * 4 * pi / count));  // E = pi where the radiance of white is 1
-    light.primary_distance = 1;
-    light.radius = float(2 / std::sqrt(double(count)));
-    set_material(light, materials().white);
-    lights.push_back(light);
-  }
   return lights;
 }
 

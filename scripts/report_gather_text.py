@@ -143,7 +143,8 @@ EQUAL_TIME = [("10a", "10c", "Fig. 10 a and c"), ("10a", "10e", "Fig. 10 a and e
 
 def picture_row(labels, rows, reference=True):
     shown = [one(rows, label=label) for label in labels]
-    titles = [f"{row['label'][2:]}: {variant(row)}, {row['lights']:.0f} lights, {gather_ms(row):.0f} ms, "
+    titles = [f"{row['label'][2:]}: {variant(row)}, {row['lights']:.0f} light{'s' * (row['lights'] > 1)}, "
+              f"{gather_ms(row):.0f} ms, "
               f"RMSE {row['rmse']:.4f}" for row in shown]
     pictures = [f"![]({row['picture']})" for row in shown]
     if reference:

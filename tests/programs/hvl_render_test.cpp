@@ -65,6 +65,14 @@ std::vector<Hit> some_hits(const Scene& scene, const RayCaster& caster) {
 
 glm::vec3 to_camera(const Scene& scene, const Hit& hit) { return glm::normalize(scene.camera.position - hit.position); }
 
+/// side^2 points where light lands.
+VirtualLightMap points_of(const Scene& scene, const RayCaster& caster, int side) {
+  Options options;
+  options.method = Method::vpl;
+  options.lights = side * side;
+  return shoot_virtual_lights(scene, caster, {}, options);
+}
+
 struct Estimate {
   glm::dvec3 mean, deviation;  // of the mean
 };
@@ -130,10 +138,7 @@ std::string error_of(const std::string& change) {
 TEST_CASE("paths agree with brute-force quadrature, and with light tracing, within their error bar") {
   const Scene scene = box_scene();
   const RayCaster caster(scene);
-  Options options;
-  options.method = Method::vpl;
-  options.lights = 1000 * 1000;
-  const auto lights = lit(shoot_virtual_lights(scene, caster, {}, options));
+  const auto lights = lit(points_of(scene, caster, 1000));
   REQUIRE(lights.size() > 900000);
   int number = 0;
   for (const Hit& hit : some_hits(scene, caster)) {
@@ -155,10 +160,7 @@ TEST_CASE("paths agree with brute-force quadrature, and with light tracing, with
 TEST_CASE("the furnace: paths, and ever so few lights, find the light that an integrating sphere has everywhere") {
   const Scene scene = make_furnace();
   const RayCaster caster(scene);
-  Options options;
-  options.method = Method::vpl;
-  options.lights = 50 * 50;
-  const auto map = shoot_virtual_lights(scene, caster, {}, options);
+  const auto map = points_of(scene, caster, 50);
   glm::dvec3 power(0.0);
   for (const zonal::VirtualLight& light : map.lights) power += glm::dvec3(light.flux);
   const double radius = 2.0, albedo = 0.8;

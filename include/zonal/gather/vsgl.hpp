@@ -184,11 +184,10 @@ struct IncomingGaussian {
   T axis[3], sharpness, coefficient[3];
 };
 
-/// 1 - cos of the angle between two unit vectors, and 1 + cos with sign -1: from their difference, which does not
-/// cancel.
+/// 1 - cos of the angle between two unit vectors: from their difference, which does not cancel.
 template <class T>
-ZONAL_INLINE inline T one_minus_cosine(const T (&a)[3], const T (&b)[3], const T& sign = T(1)) {
-  const T difference[3] = {a[0] - sign * b[0], a[1] - sign * b[1], a[2] - sign * b[2]};
+ZONAL_INLINE inline T one_minus_cosine(const T (&a)[3], const T (&b)[3]) {
+  const T difference[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
   return T(0.5L) * dot3(difference, difference);
 }
 

@@ -52,7 +52,7 @@ void draw_vsl_samples(const Receiver& receiver, const Brdf& brdf, int samples, U
   const glm::vec3 normal = receiver.normal, tangent = tangent_towards(normal, receiver.outgoing);
   const glm::vec3 bitangent = glm::cross(normal, tangent), outgoing = local_outgoing(receiver);
   const float lobe_shift = uniform(), phi_shift = uniform();
-  int drawn = 0;  // less those that no direction came of, which count as zero
+  int drawn = 0;
   for (int k = 0; k < result.brdf_count; ++k) {
     const float u = (float(k) + uniform()) / float(result.brdf_count);
     const auto sample = zonal::sample(brdf, outgoing, fraction(lobe_shift + golden * float(k)),
@@ -61,7 +61,7 @@ void draw_vsl_samples(const Receiver& receiver, const Brdf& brdf, int samples, U
     const glm::vec3 world = sample.direction.x * tangent + sample.direction.y * bitangent + sample.direction.z * normal;
     result.by_brdf[drawn++] = {world, evaluate(brdf, sample.direction, outgoing) * sample.direction.z, sample.pdf};
   }
-  // The rest of the array is not looked at, but the count stays that of what was tried.
+  // A sample that no direction came of is one that reflects nothing: the count stays that of what was tried.
   for (int k = drawn; k < result.brdf_count; ++k) result.by_brdf[k] = {normal, glm::vec3(0.0F), 1.0F};
 
   const float u_shift = uniform(), cap_phi_shift = uniform();

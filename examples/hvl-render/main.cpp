@@ -64,7 +64,8 @@ void prepare_lights(Renderers& renderers, Report& report) {
     renderers.gatherer = make_gatherer({renderers.scene, renderers.caster, renderers.tables, renderers.map, options});
   });
   report.counts.map_lights = renderers.map.lights.size();
-  report.counts.virtual_lights = lit(renderers.map).size();
+  report.counts.virtual_lights =
+      static_cast<std::size_t>(std::count_if(renderers.map.lights.begin(), renderers.map.lights.end(), is_lit));
 }
 
 void prepare_paths(Renderers& renderers, Report& report) {

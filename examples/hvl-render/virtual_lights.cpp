@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 
 #include <tbb/parallel_for.h>
@@ -74,8 +75,8 @@ VirtualLightMap shoot_virtual_lights(const Scene& scene, const RayCaster& caster
 }
 
 std::vector<zonal::VirtualLight> lit(const VirtualLightMap& map) {
-  std::vector<zonal::VirtualLight> lights = map.lights;
-  std::erase_if(lights, [](const zonal::VirtualLight& light) { return light.flux == glm::vec3(0.0f); });
+  std::vector<zonal::VirtualLight> lights;
+  std::copy_if(map.lights.begin(), map.lights.end(), std::back_inserter(lights), is_lit);
   return lights;
 }
 

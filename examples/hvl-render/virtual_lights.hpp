@@ -46,6 +46,8 @@ int block_side(const Options& options);
 VirtualLightMap shoot_virtual_lights(const Scene& scene, const RayCaster& caster, const MaterialTables& tables,
                                      const Options& options);
 
+inline bool is_lit(const zonal::VirtualLight& light) { return light.flux != glm::vec3(0.0f); }
+
 /// Those that carry light.
 std::vector<zonal::VirtualLight> lit(const VirtualLightMap& map);
 

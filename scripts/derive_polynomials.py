@@ -186,6 +186,7 @@ POLYNOMIAL_HEAD = f"""\
 #include "sh.hpp"
 
 namespace zonal {{{{
+inline namespace ZONAL_TARGET {{{{
 namespace reference {{{{
 
 namespace detail {{{{
@@ -217,6 +218,7 @@ GRADIENT_HEAD = f"""\
 #include "polynomial.hpp"
 
 namespace zonal {{{{
+inline namespace ZONAL_TARGET {{{{
 namespace reference {{{{
 
 /// Value and gradient of the explicit polynomials, 1 <= N <= {BANDS}, at a unit vector.
@@ -261,6 +263,7 @@ CAP_HEAD = f"""\
 #include "../scalar/constexpr_math.hpp"
 
 namespace zonal {{{{
+inline namespace ZONAL_TARGET {{{{
 namespace reference {{{{
 
 namespace detail {{{{
@@ -284,6 +287,7 @@ TAIL = """\
 }}
 {more}
 }}  // namespace reference
+}}  // namespace ZONAL_TARGET
 }}  // namespace zonal
 """
 

@@ -13,6 +13,7 @@
 #include "gradient.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 namespace reference {
 
 /// Values, and derivatives by theta and phi.
@@ -139,4 +140,5 @@ ShGradient<N, T> to_cartesian(const AngularGradient<N, T>& angular, const Direct
 }
 
 }  // namespace reference
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -4,6 +4,7 @@
 #include "../scalar/unroll.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// Calls f(Index<bands>{}) and returns true if Min <= bands <= Max; returns false, calling nothing, if not.
 ///   dispatch_bands<1, 10>(bands, [&](auto n) { draw<n>(scene); });
@@ -20,4 +21,5 @@ constexpr bool dispatch_bands(int bands, F&& f) {
   return found;
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

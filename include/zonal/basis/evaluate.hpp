@@ -16,6 +16,7 @@
 #include "table.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 namespace detail {
 
@@ -140,4 +141,5 @@ constexpr Zh<N, T> evaluate_zonal(const T& cos_angle) {
   return zh;
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -11,6 +11,7 @@
 #include "ladder.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// N*N coefficients or basis values, and their derivatives by x, y and z.
 template <int N, class T>
@@ -109,4 +110,5 @@ ShHessian<N, component_t<Direction>> evaluate_with_hessian(const Direction& dire
   return result;
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -12,6 +12,7 @@
 #include "ladder.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 namespace detail {
 
 // Below, the loops are too short.
@@ -87,4 +88,5 @@ void gradient_in_rows(const T& x, const T& y, const T& z, Sh<N, T>& value, Sh<N,
 }
 
 }  // namespace detail
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -22,6 +22,7 @@
 #include "table.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 namespace detail {
 
@@ -149,4 +150,5 @@ ZONAL_INLINE constexpr void ladder(const Sh<M, T>& y, Sink&& sink) {
 
 }  // namespace detail
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

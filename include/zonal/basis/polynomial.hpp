@@ -10,6 +10,7 @@
 #include "sh.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 namespace reference {
 
 namespace detail {
@@ -213,4 +214,5 @@ constexpr Sh<N, component_t<Direction>> evaluate_polynomial(const Direction& dir
 }
 
 }  // namespace reference
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

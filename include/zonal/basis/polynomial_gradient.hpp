@@ -10,6 +10,7 @@
 #include "polynomial.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 namespace reference {
 
 /// Value and gradient of the explicit polynomials, 1 <= N <= 10, at a unit vector.
@@ -424,4 +425,5 @@ constexpr ShGradient<N, T> across(ShGradient<N, T> sh, const Direction& directio
 }
 
 }  // namespace reference
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

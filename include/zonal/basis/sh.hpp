@@ -3,7 +3,10 @@
 
 #include <cstddef>
 
+#include "../scalar/target.hpp"
+
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 // Where the coefficient of degree l (0 <= l) and order m (-l <= m <= l) stands.
 constexpr int sh_index(int l, int m) { return l * (l + 1) + m; }
@@ -95,4 +98,5 @@ constexpr const T& get(const Zh<N, T>& zh) {
   return zh.values[l];
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

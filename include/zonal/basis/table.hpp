@@ -17,6 +17,7 @@
 #include "../scalar/constexpr_math.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 template <int N>
 struct BasisTable {
@@ -50,4 +51,5 @@ struct BasisTable {
 template <int N>
 inline constexpr BasisTable<N> basis_table{};
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -19,7 +19,10 @@
 #include <string>
 #include <system_error>
 
+#include "../scalar/target.hpp"
+
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// What is wrong with a file: its name, and why, in one line.
 class FileError : public std::runtime_error {
@@ -238,4 +241,5 @@ class WordWriter {
 };
 
 }  // namespace detail
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -8,6 +8,7 @@
 #include "../scalar/math.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// none: 1. smoothstep: an approximation. exact: the share of the cap's solid angle.
 enum class Horizon { none, smoothstep, exact };
@@ -50,4 +51,5 @@ ZONAL_INLINE constexpr T horizon(const SphericalCap<T>& cap, const T& cos_angle)
   return T(1);
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -25,6 +25,7 @@
 #include "virtual_light.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// Where the emission of degree l and order m stands, 0 <= m <= l, l+m even; emission_index(NE, 0) or (NE, 1),
 /// whichever is even, is how many there are in NE bands.
@@ -149,4 +150,5 @@ glm::vec3 gather(const HvlCache<NE>& cache, const Receiver& receiver, const Mate
   return glm::max(detail::sum_packets(cache, visible, radiance), glm::vec3(0));
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -15,6 +15,7 @@
 #include "light_cache.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// What a receiver's material is at the direction to the eye. T is the kernel's scalar.
 template <int N, class T>
@@ -83,4 +84,5 @@ glm::vec3 gather_hvl_zonal(const LightCache& cache, const Receiver& receiver, co
   });
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

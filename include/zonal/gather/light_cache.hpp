@@ -17,6 +17,7 @@
 #include "virtual_light.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// A light as the kernels read it, one lane or a packet of them.
 template <class T>
@@ -150,4 +151,5 @@ ZONAL_INLINE inline glm::vec3 sum_groups(const LightCache& cache, const Visibili
 }
 
 }  // namespace detail
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -7,6 +7,7 @@
 #include "../scalar/packet.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// Packet after packet, each field by field: one gather step reads one run of memory. Record<T> has field(i), i <
 /// field_count; the last packet is padded with zeros in all fields.
@@ -42,4 +43,5 @@ class PacketArray {
   int size_ = 0;
 };
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

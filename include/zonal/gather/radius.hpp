@@ -10,6 +10,7 @@
 #include "virtual_light.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// r1 [1, Eq. 23]: the mean distance to the 8 neighbours in the map, weighted towards those at a similar distance from
 /// the primary light. `map` holds width * height lights, row by row; neighbours without flux do not count, and a
@@ -50,4 +51,5 @@ inline void set_fixed_radii(VirtualLight* lights, int count, float radius) {
   for (int i = 0; i < count; ++i) lights[i].radius = radius;
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

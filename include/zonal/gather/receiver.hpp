@@ -12,6 +12,7 @@
 #include "../scalar/vector3.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// A point that is seen: `outgoing` is the unit direction to the eye, on the normal's side.
 struct Receiver {
@@ -103,4 +104,5 @@ ZONAL_INLINE inline glm::vec3 sum_packets(const Lights& lights, const Visibility
 }
 
 }  // namespace detail
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -7,6 +7,7 @@
 #include "../material/material_table.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// One texel of a reflective shadow map: where light of a primary light arrives, and on what.
 struct VirtualLight {
@@ -20,4 +21,5 @@ struct VirtualLight {
   const Brdf* brdf = nullptr;               // for all others: what it reflects, itself
 };
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

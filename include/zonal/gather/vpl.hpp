@@ -11,6 +11,7 @@
 #include "light_cache.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// The outgoing radiance that one light (or one packet of lights) causes, to radiance[3], RGB. `outgoing` is the
 /// direction to the eye in the receiver's frame.
@@ -42,4 +43,5 @@ inline glm::vec3 gather_vpl(const LightCache& cache, const Receiver& receiver, c
   });
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -26,6 +26,7 @@
 #include "light_cache.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// The light of many texels: radiant intensity coefficient exp(sharpness (cos - 1)) about the axis, spread about
 /// `position` with `variance` along each axis of a plane.
@@ -336,4 +337,5 @@ inline glm::vec3 gather_vsgl(const GaussianCache& cache, const Receiver& receive
                              [&](const auto& light, auto& rgb) { vsgl_radiance(light, frame, outgoing, brdf, rgb); });
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

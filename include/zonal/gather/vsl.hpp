@@ -19,6 +19,7 @@
 #include "light_cache.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// Samples per light that gather_vsl can take.
 inline constexpr int kMaxVslSamples = 1024;
@@ -179,4 +180,5 @@ glm::vec3 gather_vsl(const LightCache& cache, const Receiver& receiver, const Br
   });
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -3,7 +3,9 @@
 
 #include <string_view>
 
-namespace zonal::glsl {
+namespace zonal {
+inline namespace ZONAL_TARGET {
+namespace glsl {
 
 /// How parameters are declared, which no word in a table can say.
 enum class Declarations {
@@ -67,4 +69,6 @@ constexpr const Dialect* find_dialect(std::string_view name) {
   return nullptr;
 }
 
-}  // namespace zonal::glsl
+}  // namespace glsl
+}  // namespace ZONAL_TARGET
+}  // namespace zonal

@@ -7,7 +7,9 @@
 #include "../version.hpp"
 #include "function_text.hpp"
 
-namespace zonal::glsl {
+namespace zonal {
+inline namespace ZONAL_TARGET {
+namespace glsl {
 
 /// `guard` names the include guard; `made_by` says what to write in the heading beside the version, such as options.
 struct FileHeading {
@@ -36,4 +38,6 @@ inline std::string file_text(const std::vector<RecordedFunction>& functions, con
   return text;
 }
 
-}  // namespace zonal::glsl
+}  // namespace glsl
+}  // namespace ZONAL_TARGET
+}  // namespace zonal

@@ -18,7 +18,9 @@
 
 #include "../lobe/cap.hpp"
 
-namespace zonal::glsl {
+namespace zonal {
+inline namespace ZONAL_TARGET {
+namespace glsl {
 
 /// What the numbers of an input are: for documentation, and for the tests to draw them from.
 enum class Domain {
@@ -137,4 +139,6 @@ class FunctionIo {
   std::deque<std::vector<T>> outputs_;  // a deque: kernels hold pointers into it
 };
 
-}  // namespace zonal::glsl
+}  // namespace glsl
+}  // namespace ZONAL_TARGET
+}  // namespace zonal

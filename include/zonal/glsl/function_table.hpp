@@ -8,7 +8,9 @@
 #include "functions.hpp"
 #include "recorded_function.hpp"
 
-namespace zonal::glsl {
+namespace zonal {
+inline namespace ZONAL_TARGET {
+namespace glsl {
 
 inline constexpr int max_bands = 10;
 
@@ -37,4 +39,6 @@ void append_functions(std::vector<FunctionEntry>& entries) {
   });
 }
 
-}  // namespace zonal::glsl
+}  // namespace glsl
+}  // namespace ZONAL_TARGET
+}  // namespace zonal

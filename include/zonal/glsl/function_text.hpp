@@ -15,7 +15,9 @@
 #include "dialect.hpp"
 #include "recorded_function.hpp"
 
-namespace zonal::glsl {
+namespace zonal {
+inline namespace ZONAL_TARGET {
+namespace glsl {
 
 struct TextOptions {
   bool compound = true;  // what is used once stands where it is used; otherwise every operation has a temporary
@@ -300,4 +302,6 @@ inline std::string function_text(const RecordedFunction& function, const Dialect
   return detail::FunctionWriter(function, dialect, options).text();
 }
 
-}  // namespace zonal::glsl
+}  // namespace glsl
+}  // namespace ZONAL_TARGET
+}  // namespace zonal

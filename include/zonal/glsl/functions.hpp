@@ -17,7 +17,9 @@
 #include "../zonal.hpp"
 #include "function_io.hpp"
 
-namespace zonal::glsl {
+namespace zonal {
+inline namespace ZONAL_TARGET {
+namespace glsl {
 
 /// What most entries share.
 struct Function {
@@ -521,4 +523,6 @@ void for_each_function(FunctionList<Entries...>, Visit&& visit) {
   (visit(Entries{}), ...);
 }
 
-}  // namespace zonal::glsl
+}  // namespace glsl
+}  // namespace ZONAL_TARGET
+}  // namespace zonal

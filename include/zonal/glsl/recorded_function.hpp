@@ -8,7 +8,9 @@
 #include "../scalar/recorder.hpp"
 #include "function_io.hpp"
 
-namespace zonal::glsl {
+namespace zonal {
+inline namespace ZONAL_TARGET {
+namespace glsl {
 
 struct RecordedFunction {
   std::string name;     // zonal_evaluate_5
@@ -68,4 +70,6 @@ RecordedFunction record(int order = all_orders) {
   return result;
 }
 
-}  // namespace zonal::glsl
+}  // namespace glsl
+}  // namespace ZONAL_TARGET
+}  // namespace zonal

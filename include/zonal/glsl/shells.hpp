@@ -15,7 +15,9 @@
 #include "../gather/hvl.hpp"
 #include "functions.hpp"
 
-namespace zonal::glsl {
+namespace zonal {
+inline namespace ZONAL_TARGET {
+namespace glsl {
 
 /// A recorded function that a shell calls.
 struct ShellNeed {
@@ -232,4 +234,6 @@ constexpr const Shell* find_shell(std::string_view name) {
   return nullptr;
 }
 
-}  // namespace zonal::glsl
+}  // namespace glsl
+}  // namespace ZONAL_TARGET
+}  // namespace zonal

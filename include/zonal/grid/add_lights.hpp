@@ -15,6 +15,7 @@
 #include "vertex_packet.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 namespace detail {
 
@@ -104,4 +105,5 @@ void add_lights(CoefficientGrid<N>& grid, const std::vector<ColouredLight<Direct
   });
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

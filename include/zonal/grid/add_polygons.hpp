@@ -16,6 +16,7 @@
 #include "vertex_packet.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 namespace detail {
 
@@ -182,4 +183,5 @@ void add_lights(CoefficientGrid<N>& grid, const std::vector<ColouredLight<Polygo
   });
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -20,6 +20,7 @@
 #include "../basis/gradient.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// N bands of RGB coefficients and their gradients, per unit of length, at resolution.x * .y * .z vertices, the
 /// outermost on the faces of the box from `low` to `high`. 48 N*N bytes per vertex, and no more. Vertices are named by
@@ -134,4 +135,5 @@ class CoefficientGrid {
   std::vector<float> data_;
 };
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -31,6 +31,7 @@
 #include "coefficient_grid.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// What is wrong with a grid's file: its name, and why, in one line.
 using GridFileError = FileError;
@@ -133,4 +134,5 @@ CoefficientGrid<N> load_grid(const std::filesystem::path& path) {
   }
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

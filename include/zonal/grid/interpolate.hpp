@@ -21,6 +21,7 @@
 #include "interpolation_weights.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 namespace detail {
 
@@ -152,4 +153,5 @@ ShGradient<N, glm::vec3> interpolate_with_gradient(const CoefficientGrid<N>& gri
   return {detail::as_sh<N>(sums[0]), {detail::as_sh<N>(sums[1]), detail::as_sh<N>(sums[2]), detail::as_sh<N>(sums[3])}};
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -60,6 +60,7 @@
 #include "../scalar/unroll.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 namespace detail {
 // Cells per unit of length on an axis, and where a coordinate lies on it in units of cells: 0 to vertices - 1.
@@ -146,4 +147,5 @@ ZONAL_INLINE constexpr CellWeights<method, T> cell_weights(const AxisWeights<T>&
   return weights;
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -14,6 +14,7 @@
 #include "../scalar/packet.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// A light of radiance or intensity 1 (the light says which) times an RGB colour.
 template <class Light>
@@ -123,4 +124,5 @@ class LightSums {
   Sums sums_[static_cast<std::size_t>((N + 1) * (N + 1))];
 };
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -8,6 +8,7 @@
 #include "coefficient_grid.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 namespace detail {
 
 using VertexLanes = Packet<float, kNativeLanes>;
@@ -51,4 +52,5 @@ struct VertexPacket {
 };
 
 }  // namespace detail
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

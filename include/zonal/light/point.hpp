@@ -5,6 +5,7 @@
 #include "radial.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// The profile of a point of radiant intensity 1: irradiance 1/d^2 from one direction. At the light's own position it
 /// is that of a distance of 1e-15: finite in float.
@@ -74,4 +75,5 @@ ShGradient<N, T> project_with_gradient(const DirectionalLight<T>& light, const g
   return {evaluate<N>(light.direction), {}};
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -33,6 +33,7 @@
 #include "../scalar/vector3.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// A planar convex polygon of radiance 1, to both sides. Several make a concave one, or a mesh.
 template <int V, class T>
@@ -295,4 +296,5 @@ Sh<N, T> project(const PolygonLight<V, T>& light, const glm::vec<3, T>& x, doubl
   return project_with_gradient<N>(light, x, tolerance).value;
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

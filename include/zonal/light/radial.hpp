@@ -22,6 +22,7 @@
 #include "../transform/orient.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// The factors of each degree, A_l, and their derivatives by the distance, per unit of length.
 template <int N, class T>
@@ -150,4 +151,5 @@ ShGradient<N, T> project_with_gradient(const Light& light, const glm::vec<3, T>&
   return sh;
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -16,6 +16,7 @@
 #include "radial.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// The profile of a sphere of radiance 1 [1, Eq. 9, 14-16]. With the constants of the cap and of the orientation
 /// together, A_l = pi sin^2 a e_l and A_l' = -2 pi sin^2 a / (d cos a) P_l(cos a).
@@ -70,4 +71,5 @@ struct SoftSphereLight {
   }
 };
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -10,6 +10,7 @@
 #include "sphere.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// Radiance 1 to both sides. In the triangle's plane its light is zero; the gradient there, which jumps from one side
 /// to the other, is that of the side its vertices run around counterclockwise.
@@ -42,4 +43,5 @@ struct TriangleSphereLight {
   }
 };
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -27,6 +27,7 @@
 #include "../scalar/unroll.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// A cap of half angle a about the z axis, 0 <= a <= pi, kept by cosine and sine (sine >= 0).
 template <class T>
@@ -167,4 +168,5 @@ constexpr Zh<N, T> project_derivative(const SphericalCap<T>& cap) {
   return zh;
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

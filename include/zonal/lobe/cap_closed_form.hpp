@@ -11,6 +11,7 @@
 #include "../scalar/constexpr_math.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 namespace reference {
 
 namespace detail {
@@ -47,4 +48,5 @@ constexpr Zh<N, T> project_cap_closed_form(const T& cos_angle) {
 }
 
 }  // namespace reference
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

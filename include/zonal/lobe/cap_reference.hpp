@@ -14,6 +14,7 @@
 #include "../scalar/unroll.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 namespace reference {
 
 /// z_l of the indicator of the cap of all directions within an angle of the axis, N >= 1, from the cosine of that
@@ -35,4 +36,5 @@ constexpr Zh<N, T> project_cap_legendre(const T& cos_angle) {
 }
 
 }  // namespace reference
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -6,6 +6,7 @@
 #include "../scalar/unroll.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 namespace detail {
 // I_l = integral of u^n P_l(u) from 0 to 1: I_0 = 1/(n+1), I_1 = 1/(n+2), I_l = (n-l+2)/(n+l+1) I_(l-2).
@@ -35,4 +36,5 @@ constexpr Zh<N, T> project(LambertLobe lobe) {
   return zh;
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -9,6 +9,7 @@
 #include "lambert.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// f = (n+1)/(2 pi) max(cos theta, 0)^n for a real exponent n >= 0. It integrates to 1.
 template <class T>
@@ -35,4 +36,5 @@ constexpr Zh<N, T> project(const PhongLobe<T>& lobe) {
   return zh;
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

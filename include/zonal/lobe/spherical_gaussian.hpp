@@ -16,6 +16,7 @@
 #include "lambert.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// f = exp(sharpness (cos theta - 1)), 0 <= sharpness; f = 1 on the axis.
 template <class T>
@@ -66,4 +67,5 @@ constexpr Zh<N, T> project(const SphericalGaussian<T>& lobe) {
   return zh;
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -27,6 +27,7 @@
 #include "projection.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// The coefficients, RGB, dimensionless, for one outgoing direction, in its frame; error as in BrdfProjection.
 template <int N>
@@ -171,4 +172,5 @@ class AnisotropicTable {
   mutable std::vector<std::atomic<const Row*>> rows_;
 };
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -32,6 +32,7 @@
 #include "../scalar/scalar.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// Perfectly diffuse reflection, f = albedo / pi. albedo: RGB in [0, 1].
 struct LambertBrdf {
@@ -282,4 +283,5 @@ inline Brdf glossy_part(const Brdf& brdf) {
   return glossy;
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -3,7 +3,10 @@
 
 #include <glm/vec3.hpp>
 
+#include "../scalar/target.hpp"
+
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// The part of an isotropic BRDF that is its own mirror image in the plane y = 0: (f + its mirror image) / 2, in 1/sr.
 /// Measurements are not quite symmetric, and project_brdf looks at one half of the circle; of the even part, the
@@ -16,4 +19,5 @@ auto even_part(const F& brdf) {
   };
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

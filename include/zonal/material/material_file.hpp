@@ -31,6 +31,7 @@
 #include "material_table.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// What a table's file says of it before the data.
 struct MaterialFileHeader {
@@ -175,4 +176,5 @@ MaterialTable cached_material_table(const std::filesystem::path& path, std::uint
   return table;
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -25,6 +25,7 @@
 #include "projection.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 namespace detail {
 
@@ -203,4 +204,5 @@ MaterialTable project_material(const Brdf& brdf, int bands, double tolerance = 1
   return MaterialTable(projections, bands);
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

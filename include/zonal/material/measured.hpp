@@ -14,6 +14,7 @@
 #include "sampling.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 namespace detail {
 
@@ -93,4 +94,5 @@ MeasuredBrdf measured(F brdf) {
   return result;
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -39,6 +39,7 @@
 #include "brdf.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// The half vector's angle to the normal, and the direction of wi as seen from the half vector [2]. Radians:
 /// theta_half and theta_difference in [0, pi/2], phi_difference in [-pi, pi].
@@ -186,4 +187,5 @@ inline MerlBrdf load_merl(const std::filesystem::path& path) {
   return MerlBrdf(std::move(samples));
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -30,6 +30,7 @@
 #include "../scalar/quadrature.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// The coefficients, RGB, dimensionless, for one outgoing direction. `error` is the movement of the last
 /// refinement: the greatest over all coefficients of either kind, relative to the largest of that kind; the
@@ -186,4 +187,5 @@ BrdfProjection<N> project_brdf(const F& brdf, double cos_outgoing, double tolera
   return project_brdf<N>(brdf, cos_outgoing, tolerance, ProjectionQuadrature());
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -44,6 +44,7 @@
 #include "tensor_file.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 namespace detail {
 
@@ -352,4 +353,5 @@ class RglReader {
 /// of the shapes above, with finite numbers only, angles increasing and in range, and no density zero everywhere.
 inline RglBrdf load_rgl(const std::filesystem::path& path) { return RglBrdf(detail::RglReader(path).read()); }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -15,6 +15,7 @@
 #include "brdf.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// A direction towards the light, and the density (1/sr) with which the whole mixture of lobes gives it.
 /// pdf 0 means no sample: the direction is below the horizon, or the material is black; count its light as
@@ -186,4 +187,5 @@ inline BrdfSample sample(const Brdf& brdf, const glm::vec3& wo, float u_lobe, gl
   return {direction, pdf(brdf, direction, wo)};
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -23,6 +23,7 @@
 #include "../file/checked_file.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// What a tensor file says of a field. offset: bytes from the beginning of the file; elements: product of the shape.
 struct TensorField {
@@ -145,4 +146,5 @@ class TensorFile {
   std::map<std::string, TensorField> fields_;
 };
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -19,6 +19,7 @@
 #include "material_table.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 namespace detail {
 
@@ -111,4 +112,5 @@ ZonalTable project_zonal(const Brdf& brdf, int bands, double tolerance = 1e-4, F
   return {diffuse, bands, std::move(rows)};
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -1,7 +1,10 @@
 // Square roots and powers at compile time, for tables that are computed from their formulas.
 #pragma once
 
+#include "target.hpp"
+
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 inline constexpr long double kPi = 3.14159265358979323846264338327950288L;
 
@@ -16,4 +19,5 @@ constexpr long double constexpr_sqrt(long double x) {
   }
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

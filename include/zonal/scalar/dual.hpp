@@ -6,6 +6,7 @@
 #include "scalar.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// A value and K partial derivatives. Nest it, Dual<Dual<double, 3>, 3>, for second derivatives.
 template <class T, int K>
@@ -75,4 +76,5 @@ struct ScalarTraits<Dual<T, K>> {
   using Lane = lane_t<T>;
 };
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -7,6 +7,7 @@
 #include "unroll.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 namespace detail {
 // asin(s) = sum of c_k s^(2k+1), c_0 = 1, c_k = c_(k-1) (2k-1)^2 / (2k (2k+1)); for |s| <= 1/2 a term is less than a
@@ -137,4 +138,5 @@ ZONAL_INLINE constexpr T exp(const T& x) {
   return select(x < T(0), fall, T(1) / fall);
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

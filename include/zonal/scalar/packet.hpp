@@ -16,6 +16,7 @@
 #endif
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 namespace detail {
 // W values as Eigen's widest registers that divide W: registers, not Eigen's arrays and expressions, which GCC copies
@@ -202,6 +203,7 @@ inline constexpr int kNativeLanes = 8;
 inline constexpr int kNativeLanes = 4;
 #endif
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal
 
 #if defined(__GNUC__) && !defined(__clang__)

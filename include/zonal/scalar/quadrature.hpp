@@ -10,6 +10,7 @@
 #include "constexpr_math.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// Nodes in (-1, 1), increasing, and their weights, which sum to 2: sum of weights[i] f(nodes[i]) is the
 /// integral of f over [-1, 1], exactly for polynomials of degree 2 size - 1.
@@ -42,4 +43,5 @@ inline QuadratureRule gauss_legendre(int size) {
   return rule;
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -18,6 +18,7 @@
 #include "scalar.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 enum class Operation : std::uint8_t {
   input,
@@ -234,4 +235,5 @@ struct ScalarTraits<Recorder> {
   using Lane = float;
 };
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

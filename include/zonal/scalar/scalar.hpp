@@ -18,6 +18,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "target.hpp"
+
 /// A kernel melts into its caller, whatever its size: sinks and packets cost nothing only then, and GCC gives up early.
 #if defined(_MSC_VER) && !defined(__clang__)
 #define ZONAL_INLINE
@@ -26,6 +28,7 @@
 #endif
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 template <class T>
 inline constexpr bool is_builtin_scalar_v = std::is_floating_point_v<T>;
@@ -86,4 +89,5 @@ ZONAL_INLINE constexpr T clamp(T x, T low, T high) {
   return min(max(x, low), high);
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -4,6 +4,7 @@
 #include "scalar.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// Decisions follow the narrow value, so both take the same path; constants are rounded once for each.
 template <class Narrow = float, class Wide = double>
@@ -45,4 +46,5 @@ struct ScalarTraits<Shadow<Narrow, Wide>> {
   using Lane = Narrow;
 };
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

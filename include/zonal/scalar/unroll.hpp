@@ -7,6 +7,7 @@
 #include "scalar.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 template <int I>
 using Index = std::integral_constant<int, I>;
@@ -26,4 +27,5 @@ ZONAL_INLINE constexpr void unroll(F&& body) {
   }
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -4,6 +4,7 @@
 #include "scalar.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 namespace detail {
 
 template <class T>
@@ -17,4 +18,5 @@ ZONAL_INLINE constexpr void cross3(const T (&a)[3], const T (&b)[3], T (&result)
 }
 
 }  // namespace detail
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -5,6 +5,7 @@
 #include "orient.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 /// (f * k)(w) = integral of f(w') k(angle between w and w'). With k = LambertLobe, radiance becomes E / pi.
 template <int N, class A, class T>
@@ -39,4 +40,5 @@ constexpr T reconstruct_convolved(const Sh<N, T>& f, const Zh<N, S>& kernel, con
   return total.sum();
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -4,6 +4,7 @@
 #include "../basis/evaluate.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 namespace detail {
 // One accumulator would wait for each sum before the next; four keep the multipliers busy.
@@ -54,4 +55,5 @@ constexpr T reconstruct_zonal(const Zh<N, T>& zh, const S& cos_angle) {
   return total.sum();
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -8,6 +8,7 @@
 #include "../basis/evaluate.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 namespace detail {
 // sqrt(4 pi / (2l+1)): from a zonal coefficient to the factor of its degree.
@@ -32,4 +33,5 @@ constexpr Sh<N, T> orient(const Zh<N, T>& zh, const Direction& axis) {
   return sh;
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

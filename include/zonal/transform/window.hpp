@@ -10,6 +10,7 @@
 #include "../scalar/math.hpp"
 
 namespace zonal {
+inline namespace ZONAL_TARGET {
 
 enum class Window { none, hann, sinc };
 
@@ -66,4 +67,5 @@ Zh<N, T> apply_window(const Zh<N, T>& zh, Window window, double width = N) {
   return detail::scale_degrees(zh, window, width, [](int l) { return l; });
 }
 
+}  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -3,6 +3,8 @@
 
 #include <string_view>
 
+#include "../scalar/target.hpp"
+
 namespace zonal {
 inline namespace ZONAL_TARGET {
 namespace glsl {

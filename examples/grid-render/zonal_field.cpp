@@ -27,7 +27,7 @@ glm::vec3 reflected_by(const zonal::Zh<N, float>& lobe, const glm::vec3& axis, c
     zonal::evaluate_zonal<N>(cosine, [&](auto l, const Lanes& basis) ZONAL_INLINE {
       zonal::add_product(integral, factors.values[l] * Lanes(lobe.values[l]), basis);
     });
-    integral = integral * max(cosine, Lanes(0));
+    integral = integral * maximum(cosine, Lanes(0));
     for (std::size_t c = 0; c < 3; ++c) zonal::add_product(sum[c], integral, packet.colour[c]);
   }
   return {sum[0].sum(), sum[1].sum(), sum[2].sum()};

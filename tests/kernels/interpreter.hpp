@@ -23,8 +23,8 @@ inline std::vector<float> interpret(const zonal::Recording& recording, const std
       case Operation::subtract: value = operand(0) - operand(1); break;
       case Operation::multiply: value = operand(0) * operand(1); break;
       case Operation::divide: value = operand(0) / operand(1); break;
-      case Operation::minimum: value = zonal::min(operand(0), operand(1)); break;
-      case Operation::maximum: value = zonal::max(operand(0), operand(1)); break;
+      case Operation::minimum: value = zonal::minimum(operand(0), operand(1)); break;
+      case Operation::maximum: value = zonal::maximum(operand(0), operand(1)); break;
       case Operation::absolute: value = std::abs(operand(0)); break;
       case Operation::square_root: value = std::sqrt(operand(0)); break;
       case Operation::less: value = operand(0) < operand(1) ? 1.0F : 0.0F; break;

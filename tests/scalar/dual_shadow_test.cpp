@@ -41,8 +41,8 @@ TEST_CASE("The derivative of every operation is that of central differences") {
   check_derivatives("a-b", [](const auto& a, const auto& b) { return a - b; });
   check_derivatives("a*b", [](const auto& a, const auto& b) { return a * b; });
   check_derivatives("a/b", [](const auto& a, const auto& b) { return a / b; });
-  check_derivatives("min", [](const auto& a, const auto& b) { return min(a, b) * b; });
-  check_derivatives("max", [](const auto& a, const auto& b) { return max(a, b) * b; });
+  check_derivatives("min", [](const auto& a, const auto& b) { return minimum(a, b) * b; });
+  check_derivatives("max", [](const auto& a, const auto& b) { return maximum(a, b) * b; });
   check_derivatives("abs", [](const auto& a, const auto& b) { return abs(a) * b; });
   check_derivatives("sqrt", [](const auto& a, const auto& b) { return a * sqrt(b); });
   check_derivatives("exp", [](const auto& a, const auto& b) { return exp(a * b); });
@@ -94,8 +94,8 @@ TEST_CASE("Shadow sees a cancellation") {
   CHECK(lost.error() == -std::exp2(-25.0));
   CHECK((x + x).error() == 0);
   CHECK(Shadow(0.1L).error() == Catch::Approx(static_cast<double>(0.1F) - 0.1).epsilon(1e-12));
-  CHECK(min(Shadow(2), x).value == x.value);
-  CHECK(max(Shadow(2), x).value == 2);
+  CHECK(minimum(Shadow(2), x).value == x.value);
+  CHECK(maximum(Shadow(2), x).value == 2);
   CHECK(abs(-x).value == x.value);
   CHECK((x < Shadow(1)));
   CHECK(sqrt(Shadow(2)).error() == Catch::Approx(static_cast<double>(std::sqrt(2.0F)) - std::sqrt(2.0)).epsilon(1e-6));

@@ -230,10 +230,10 @@ TEST_CASE("exp at its ends") {
 }
 
 TEST_CASE("min, max, abs, select and clamp of the built-in scalars") {
-  CHECK(zonal::min(2.0F, 3.0F) == 2);
-  CHECK(zonal::min(3.0F, 2.0F) == 2);
-  CHECK(zonal::max(2.0F, 3.0F) == 3);
-  CHECK(zonal::max(3.0F, 2.0F) == 3);
+  CHECK(zonal::minimum(2.0F, 3.0F) == 2);
+  CHECK(zonal::minimum(3.0F, 2.0F) == 2);
+  CHECK(zonal::maximum(2.0F, 3.0F) == 3);
+  CHECK(zonal::maximum(3.0F, 2.0F) == 3);
   CHECK(zonal::abs(-2.0) == 2);
   CHECK(zonal::abs(2.0) == 2);
   CHECK(zonal::select(true, 1.0, 2.0) == 1);

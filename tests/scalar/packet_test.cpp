@@ -56,11 +56,11 @@ void check_operations() {
   check_lanes<T, W>("a/b", [](const auto& a, const auto& b, const auto&) { return a / b; });
   check_lanes<T, W>("min", [](const auto& a, const auto& b, const auto&) {
     using zonal::min;
-    return min(a, b);
+    return minimum(a, b);
   });
   check_lanes<T, W>("max", [](const auto& a, const auto& b, const auto&) {
     using zonal::max;
-    return max(a, b);
+    return maximum(a, b);
   });
   check_lanes<T, W>("abs", [](const auto& a, const auto&, const auto&) {
     using zonal::abs;

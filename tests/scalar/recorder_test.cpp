@@ -31,8 +31,8 @@ TEST_CASE("Constants combine, and x+0, x-0, x*1 and x/1 are x, and x*0 is 0") {
   const Recorder sum = Recorder(2) * Recorder(3) + Recorder(4) / Recorder(8) - sqrt(Recorder(4));
   REQUIRE(sum.is_constant());
   CHECK(sum.constant() == 4.5F);
-  CHECK(min(Recorder(1), Recorder(2)).constant() == 1);
-  CHECK(max(Recorder(1), Recorder(2)).constant() == 2);
+  CHECK(minimum(Recorder(1), Recorder(2)).constant() == 1);
+  CHECK(maximum(Recorder(1), Recorder(2)).constant() == 2);
   CHECK(abs(Recorder(-1)).constant() == 1);
   CHECK((-Recorder(1)).constant() == -1);
   CHECK(select(Recorder(1) < Recorder(2), x, Recorder(5)).line() == x.line());
@@ -63,8 +63,8 @@ TEST_CASE("An operation written before on the same operands is not written again
 TEST_CASE("Each operation counts as its kind") {
   Recording recording;
   const auto [x, y, z] = inputs(recording);
-  const OperationCount c = count(recording, {-x, x + y, x - y, x * y, x / y, sqrt(x), min(x, y), max(x, y), abs(x),
-                                             select(x < y, x, y), select(x <= y, x, z)});
+  const OperationCount c = count(recording, {-x, x + y, x - y, x * y, x / y, sqrt(x), minimum(x, y), maximum(x, y),
+                                             abs(x), select(x < y, x, y), select(x <= y, x, z)});
   CHECK(c.additions == 3);
   CHECK(c.multiplications == 1);
   CHECK(c.divisions == 1);

@@ -154,7 +154,7 @@ class WordReader {
   void read_floats(float* floats, std::size_t count) {
     std::array<std::uint32_t, FileWords::block> words;
     for (std::size_t done = 0; done < count; done += words.size()) {
-      const std::size_t now = std::min(words.size(), count - done);
+      const std::size_t now = (std::min)(words.size(), count - done);
       read(words.data(), now);
       for (std::size_t i = 0; i < now; ++i) floats[done + i] = from_word(words[i]);
     }
@@ -217,7 +217,7 @@ class WordWriter {
   void write_floats(const float* floats, std::size_t count) {
     std::array<std::uint32_t, FileWords::block> words;
     for (std::size_t done = 0; done < count; done += words.size()) {
-      const std::size_t now = std::min(words.size(), count - done);
+      const std::size_t now = (std::min)(words.size(), count - done);
       for (std::size_t i = 0; i < now; ++i) words[i] = to_word(floats[done + i]);
       write(words.data(), now);
     }

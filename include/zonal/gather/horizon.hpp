@@ -19,7 +19,7 @@ enum class Horizon { none, smoothstep, exact };
 template <class T>
 ZONAL_INLINE constexpr T horizon_smoothstep(const SphericalCap<T>& cap, const T& cos_angle) {
   // A point has no extent: it is above or below. The floor keeps 0/0 out and changes no sphere one can see.
-  const T sine = max(cap.sin_angle, T(1e-18L));
+  const T sine = maximum(cap.sin_angle, T(1e-18L));
   const T inside = clamp(cos_angle, -sine, sine);
   const T x = T(0.5L) + T(0.5L) * (asin(inside) / asin(sine));
   const T smooth = x * x * (T(3) - (x + x));
@@ -32,14 +32,14 @@ ZONAL_INLINE constexpr T horizon_smoothstep(const SphericalCap<T>& cap, const T&
 ///   H = B / pi + asin(q cos d / (sin d (1 + cos a))) / (pi (1 - cos a)).
 template <class T>
 ZONAL_INLINE constexpr T horizon_exact(const SphericalCap<T>& cap, const T& cos_angle) {
-  const T sin_a = max(cap.sin_angle, T(1e-18L)), cos_a = cap.cos_angle;
+  const T sin_a = maximum(cap.sin_angle, T(1e-18L)), cos_a = cap.cos_angle;
   const T cos_d = clamp(cos_angle, -sin_a, sin_a);
-  const T sin_d = max(sqrt((T(1) - cos_d) * (T(1) + cos_d)), T(1e-18L));
+  const T sin_d = maximum(sqrt((T(1) - cos_d) * (T(1) + cos_d)), T(1e-18L));
   const T q = sqrt((sin_a - cos_d) * (sin_a + cos_d));
-  const T b = angle_from(clamp(-cos_d * cos_a / (sin_d * sin_a), T(-1), T(1)), min(q / (sin_d * sin_a), T(1)));
+  const T b = angle_from(clamp(-cos_d * cos_a / (sin_d * sin_a), T(-1), T(1)), minimum(q / (sin_d * sin_a), T(1)));
   const T slice = asin(clamp(q * cos_d / (sin_d * (T(1) + cos_a)), T(-1), T(1)));
   const T versine = sin_a * (sin_a / (T(1) + cos_a));  // 1 - cos a
-  const T share = T(1 / kPi) * (b + slice / max(versine, T(1e-36L)));
+  const T share = T(1 / kPi) * (b + slice / maximum(versine, T(1e-36L)));
   return select(cos_angle <= -sin_a, T(0), select(sin_a <= cos_angle, T(1), clamp(share, T(0), T(1))));
 }
 

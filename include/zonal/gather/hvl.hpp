@@ -58,7 +58,7 @@ ZONAL_INLINE inline void hvl_radiance(const HvlRecord<NE, T>& light, const Recei
   // Where the light stands, and how large it looks.
   const auto [direction, distance] = look_at(light, receiver);
   const T cos_receiver = detail::dot3(direction, receiver.normal);
-  const T cos_light = max(T(0), -detail::dot3(direction, light.normal));
+  const T cos_light = maximum(T(0), -detail::dot3(direction, light.normal));
   const auto cap = SphericalCap<T>::from_sphere(distance, light.radius);
 
   // What it sends towards the receiver; a band-limited emission that rings below zero sends nothing.
@@ -85,7 +85,7 @@ ZONAL_INLINE inline void hvl_radiance(const HvlRecord<NE, T>& light, const Recei
   detail::hemisphere_cap_sums<N>(cap, [&](auto l, const T& sum) ZONAL_INLINE {  // A_l / pi
     for (int c = 0; c < 3; ++c) reflected[c] = reflected[c] + sum * by_degree[c][l];
   });
-  for (int c = 0; c < 3; ++c) radiance[c] = max(sent[c], T(0)) * geometry * reflected[c];
+  for (int c = 0; c < 3; ++c) radiance[c] = maximum(sent[c], T(0)) * geometry * reflected[c];
 }
 
 /// The virtual lights in packets. Lights without power, area or material are left out: they contribute exactly
@@ -147,7 +147,7 @@ glm::vec3 gather(const HvlCache<NE>& cache, const Receiver& receiver, const Mate
   const EvenSh<N, glm::vec3> coefficients = material.with_cosine<N>(glm::dot(receiver.normal, receiver.outgoing));
   const auto radiance = [&](const HvlRecord<NE, Lanes>& light, Lanes(&rgb)[3])
                             ZONAL_INLINE { hvl_radiance<N, NE, method>(light, frame, coefficients, rgb); };
-  return glm::max(detail::sum_packets(cache, visible, radiance), glm::vec3(0));
+  return (glm::max)(detail::sum_packets(cache, visible, radiance), glm::vec3(0));
 }
 
 }  // namespace ZONAL_TARGET

@@ -43,7 +43,7 @@ ZONAL_INLINE inline void hvl_zonal_radiance(const LightRecord<T>& light, const B
     if constexpr (l % 2 == 0 || l == 1) irradiance = irradiance + a[l] * (T(lambert.values[l]) * y);
   });
   T reflected[3];
-  for (int c = 0; c < 3; ++c) reflected[c] = material.diffuse[c] * max(T(0), irradiance);
+  for (int c = 0; c < 3; ++c) reflected[c] = material.diffuse[c] * maximum(T(0), irradiance);
 
   if (!material.is_diffuse) {
     T sum[3] = {T(0), T(0), T(0)};
@@ -51,14 +51,15 @@ ZONAL_INLINE inline void hvl_zonal_radiance(const LightRecord<T>& light, const B
       const T weight = a[l] * y;
       for (int c = 0; c < 3; ++c) sum[c] = sum[c] + weight * material.glossy[c][l];
     });
-    const T cosine = max(T(0), cos_receiver);
-    for (int c = 0; c < 3; ++c) reflected[c] = reflected[c] + cosine * max(T(0), sum[c]);
+    const T cosine = maximum(T(0), cos_receiver);
+    for (int c = 0; c < 3; ++c) reflected[c] = reflected[c] + cosine * maximum(T(0), sum[c]);
   }
 
   // pi of A_l cancels that of the sphere's disc, pi r^2.
   T sent[3];
   detail::reflected_flux(light, glossy, direction, sent);
-  const T scale = max(T(0), -detail::dot3(direction, light.normal)) / max(light.radius * light.radius, T(1e-30L));
+  const T scale =
+      maximum(T(0), -detail::dot3(direction, light.normal)) / maximum(light.radius * light.radius, T(1e-30L));
   for (int c = 0; c < 3; ++c) radiance[c] = sent[c] * reflected[c] * scale;
 }
 

@@ -103,7 +103,7 @@ class LightCache {
     const double angle = 2.0 * double(kPi) * (golden - std::floor(golden));
     record.turn[0] = float(std::cos(angle));
     record.turn[1] = float(std::sin(angle));
-    record.shift = std::min(float(plastic - std::floor(plastic)), 0x1.fffffep-1F);
+    record.shift = (std::min)(float(plastic - std::floor(plastic)), 0x1.fffffep-1F);
     return record;
   }
 

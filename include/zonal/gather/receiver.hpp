@@ -36,7 +36,7 @@ template <class Record, class T>
 ZONAL_INLINE inline LightDirection<T> look_at(const Record& light, const ReceiverFrame<T>& receiver) {
   const T to_light[3] = {light.position[0] - receiver.position[0], light.position[1] - receiver.position[1],
                          light.position[2] - receiver.position[2]};
-  const T distance = sqrt(max(detail::dot3(to_light, to_light), T(1e-30L)));
+  const T distance = sqrt(maximum(detail::dot3(to_light, to_light), T(1e-30L)));
   const T inverse = T(1) / distance;
   return {{to_light[0] * inverse, to_light[1] * inverse, to_light[2] * inverse}, distance};
 }

@@ -21,9 +21,9 @@ ZONAL_INLINE inline void vpl_radiance(const LightRecord<T>& light, const Brdf& g
                                       T (&radiance)[3]) {
   const LightDirection<T> to_light = look_at(light, receiver);
   const glm::vec<3, T> incoming = detail::to_local(to_light.direction, receiver.normal, receiver.tangent);
-  const T cos_light = max(T(0), -detail::dot3(to_light.direction, light.normal));
-  const T distance = max(to_light.distance, clamp * light.radius);
-  const T geometry = max(T(0), incoming.z) * cos_light / (distance * distance);
+  const T cos_light = maximum(T(0), -detail::dot3(to_light.direction, light.normal));
+  const T distance = maximum(to_light.distance, clamp * light.radius);
+  const T geometry = maximum(T(0), incoming.z) * cos_light / (distance * distance);
   T sent[3];
   detail::reflected_flux(light, glossy, to_light.direction, sent);
   const glm::vec<3, T> f = evaluate(brdf, incoming, outgoing);

@@ -46,13 +46,13 @@ inline constexpr float diffuse_sharpness = 2.0F;
 /// The integral of exp(sharpness (cos - 1)) over the sphere.
 template <class T>
 ZONAL_INLINE inline T gaussian_integral(const T& sharpness) {
-  const T safe = max(sharpness, T(1e-3L));
+  const T safe = maximum(sharpness, T(1e-3L));
   return T(2 * kPi) * (T(1) - exp(T(-2) * safe)) / safe;
 }
 
 /// The sharpness of a GGX lobe about the mirror direction, as an SG [1, 1.1].
 inline float mirror_sharpness(float roughness, float cos_outgoing) {
-  return 0.5F / (roughness * roughness * std::max(cos_outgoing, 1e-3F));
+  return 0.5F / (roughness * roughness * (std::max)(cos_outgoing, 1e-3F));
 }
 
 /// The sums of one component of a set of texels.
@@ -73,14 +73,14 @@ class GaussianSums {
   std::optional<GaussianLight> light() const {
     if (!(weight_ > 0.0)) return std::nullopt;
     const glm::dvec3 position = position_ / weight_, direction = direction_ / weight_;
-    const double trace = std::max(square_ / weight_ - glm::dot(position, position), 0.0);
+    const double trace = (std::max)(square_ / weight_ - glm::dot(position, position), 0.0);
     const double mean = glm::length(direction);
     GaussianLight light;
     light.position = glm::vec3(position);
     light.normal = glm::vec3(glm::normalize(normal_ + glm::dvec3(0.0, 0.0, 1e-30)));
     light.variance = float(0.5 * trace);
     light.axis = mean > 1e-9 ? glm::vec3(direction / mean) : light.normal;
-    light.sharpness = float(std::min(mean / std::max(1.0 - mean, 1e-9), 1e6));
+    light.sharpness = float((std::min)(mean / (std::max)(1.0 - mean, 1e-9), 1e6));
     light.coefficient = glm::vec3(reflected_) / gaussian_integral(light.sharpness);
     return light;
   }
@@ -120,8 +120,8 @@ inline std::vector<GaussianLight> make_gaussian_lights(const VirtualLight* map, 
   for (int top = 0; top < side; top += block) {
     for (int left = 0; left < side; left += block) {
       detail::GaussianSums diffuse, glossy;
-      for (int row = top; row < std::min(top + block, side); ++row) {
-        for (int column = left; column < std::min(left + block, side); ++column) {
+      for (int row = top; row < (std::min)(top + block, side); ++row) {
+        for (int column = left; column < (std::min)(left + block, side); ++column) {
           const VirtualLight& texel = map[row * side + column];
           if (texel.brdf == nullptr || glm::dot(texel.normal, texel.to_primary) <= 0.0F) continue;
           for (const BrdfLobe& lobe : texel.brdf->lobes) std::visit(detail::AddLobe{texel, diffuse, glossy}, lobe);
@@ -202,7 +202,7 @@ ZONAL_INLINE inline GaussianProduct<T> product(const T (&a)[3], const T& a_sharp
                                                const T& b_sharpness) {
   GaussianProduct<T> result;
   for (int i = 0; i < 3; ++i) result.axis[i] = a_sharpness * a[i] + b_sharpness * b[i];
-  result.sharpness = max(sqrt(dot3(result.axis, result.axis)), T(1e-6L));
+  result.sharpness = maximum(sqrt(dot3(result.axis, result.axis)), T(1e-6L));
   const T inverse = T(1) / result.sharpness;
   for (T& component : result.axis) component = component * inverse;
   result.exponent =
@@ -215,7 +215,7 @@ template <class T>
 ZONAL_INLINE inline IncomingGaussian<T> incoming(const GaussianRecord<T>& light, const ReceiverFrame<T>& receiver) {
   const auto [direction, distance] = look_at(light, receiver);
   const T distance2 = distance * distance;
-  const T variance = max(light.variance, T(1e-6L) * distance2);  // a point is a very small Gaussian
+  const T variance = maximum(light.variance, T(1e-6L) * distance2);  // a point is a very small Gaussian
   const T back[3] = {-light.axis[0], -light.axis[1], -light.axis[2]};
   const auto both = product(direction, distance2 / variance, back, light.sharpness);
   const T scale = exp(both.exponent) / (T(2 * kPi) * variance);
@@ -245,7 +245,7 @@ struct GlossyLobe {
 /// The half vector turns by half of what the incoming direction turns in the plane of incidence, and by 1 / (2 cos) of
 /// it across: D = exp(-sin^2 / alpha^2) becomes an ASG.
 inline GlossyLobe mirror_lobe(float roughness, float cos_outgoing) {
-  const float in_plane = 0.25F / (roughness * roughness), cosine = std::max(cos_outgoing, 1e-3F);
+  const float in_plane = 0.25F / (roughness * roughness), cosine = (std::max)(cos_outgoing, 1e-3F);
   return {in_plane, in_plane / (cosine * cosine)};
 }
 
@@ -266,11 +266,11 @@ ZONAL_INLINE inline glm::vec<3, T> glossy_height(const LambertBrdf&, const glm::
 template <class T>
 ZONAL_INLINE inline glm::vec<3, T> glossy_height(const PhongBrdf& brdf, const glm::vec<3, T>& wi, const glm::vec3&) {
   const float normalisation = (brdf.exponent + 2.0F) / (2.0F * float(kPi));
-  return glm::vec<3, T>(brdf.specular_albedo * normalisation) * max(wi.z, T(0));
+  return glm::vec<3, T>(brdf.specular_albedo * normalisation) * maximum(wi.z, T(0));
 }
 template <class T>
 ZONAL_INLINE inline glm::vec<3, T> glossy_height(const GgxBrdf& brdf, const glm::vec<3, T>& wi, const glm::vec3& wo) {
-  const T alpha = T(brdf.roughness), cosine = max(wi.z, T(0));
+  const T alpha = T(brdf.roughness), cosine = maximum(wi.z, T(0));
   const T cos_difference = T(0.5L) * sqrt(half_vector(wi, glm::vec<3, T>(wo)).squared_length);
   const T height = ggx_visibility(cosine, T(wo.z), alpha) * cosine / (T(kPi) * alpha * alpha);
   return reflectance(brdf.fresnel, cos_difference) * height;
@@ -298,12 +298,12 @@ ZONAL_INLINE inline glm::vec<3, T> glossy_integral(const Lobe& brdf, const Incom
   const T along = axis.z * T(wo.z) - axis.x * T(wo.x), beside = axis.x * T(wo.z) + axis.z * T(wo.x);
   const T half = T(0.5L) * light.sharpness, x = T(lobe.in_plane), y = T(lobe.across);
   const T exponent = -(x * half / (x + half) * beside * beside + y * half / (y + half) * axis.y * axis.y);
-  const T overlap = T(kPi) * max(along, T(0)) * exp(exponent) / sqrt((x + half) * (y + half));
+  const T overlap = T(kPi) * maximum(along, T(0)) * exp(exponent) / sqrt((x + half) * (y + half));
 
   // Where the product has its axis.
   const T sharpness = T(lobe.sharpness());
   glm::vec<3, T> peak = axis * light.sharpness + glm::vec<3, T>(glm::vec3(-wo.x, 0.0F, wo.z)) * sharpness;
-  peak = peak * (T(1) / sqrt(max(peak.x * peak.x + peak.y * peak.y + peak.z * peak.z, T(1e-20L))));
+  peak = peak * (T(1) / sqrt(maximum(peak.x * peak.x + peak.y * peak.y + peak.z * peak.z, T(1e-20L))));
   return glossy_height(brdf, peak, wo) * overlap;
 }
 

@@ -120,8 +120,10 @@ ZONAL_INLINE inline void vsl_radiance(const LightRecord<T>& light, const Brdf& g
   const LightDirection<T> to_light = look_at(light, receiver);
   const auto shape = SphericalCap<T>::from_sphere(to_light.distance, light.radius);
   const T versine = shape.sin_angle * shape.sin_angle / (T(1) + shape.cos_angle);
-  detail::VslCap<T> cap{
-      versine, T(float(samples.cap_count)) / max(T(2 * kPi) * versine, T(1e-30L)), T(float(samples.brdf_count)), {}};
+  detail::VslCap<T> cap{versine,
+                        T(float(samples.cap_count)) / maximum(T(2 * kPi) * versine, T(1e-30L)),
+                        T(float(samples.brdf_count)),
+                        {}};
   for (int i = 0; i < 3; ++i) cap.direction[i] = to_light.direction[i];
   for (int c = 0; c < 3; ++c) radiance[c] = T(0);
 
@@ -129,7 +131,7 @@ ZONAL_INLINE inline void vsl_radiance(const LightRecord<T>& light, const Brdf& g
   const auto add = [&](const T(&w)[3], const glm::vec<3, T>& reflected, const T& weight) ZONAL_INLINE {
     T sent[3];
     detail::reflected_flux(light, glossy, w, sent);
-    const T cosine = max(T(0), -detail::dot3(w, light.normal)) * weight;
+    const T cosine = maximum(T(0), -detail::dot3(w, light.normal)) * weight;
     for (int c = 0; c < 3; ++c) radiance[c] = radiance[c] + sent[c] * reflected[c] * cosine;
   };
 
@@ -157,10 +159,10 @@ ZONAL_INLINE inline void vsl_radiance(const LightRecord<T>& light, const Brdf& g
     }
     const glm::vec<3, T> incoming = detail::to_local(w, receiver.normal, receiver.tangent);
     const T density = samples.brdf_count > 0 ? pdf(brdf, incoming, outgoing) : T(0);
-    add(w, evaluate(brdf, incoming, local_outgoing) * max(T(0), incoming.z), cap.weight(density));
+    add(w, evaluate(brdf, incoming, local_outgoing) * maximum(T(0), incoming.z), cap.weight(density));
   }
 
-  const T per_area = T(1) / max(T(kPi) * light.radius * light.radius, T(1e-30L));
+  const T per_area = T(1) / maximum(T(kPi) * light.radius * light.radius, T(1e-30L));
   for (int c = 0; c < 3; ++c) radiance[c] = radiance[c] * per_area;
 }
 

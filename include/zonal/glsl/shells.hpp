@@ -110,7 +110,7 @@ $EMISSION  return hvl;
 // outgoing direction, which lies in the plane of normal and tangent.
 vec3 zonal_$NAME_$N(uint light_count, vec3 position, vec3 normal, vec3 tangent, in vec3 material[$MATERIAL]) {
   ZONAL_PRECISE vec3 sum = vec3(0.0f);
-$LOOPS  return max(sum, vec3(0.0f));
+$LOOPS  return maximum(sum, vec3(0.0f));
 }
 )";
   const std::string loop = R"(  for (uint i = 0u; i < light_count; ++i) {
@@ -177,7 +177,7 @@ std::string interpolate_text(int bands) {
 void zonal_interpolate_$NAME_$N(vec3 position, vec3 low, vec3 high, uvec3 vertices,
     ZONAL_PRECISE out vec3 sh[$COUNT]) {
   vec3 place = zonal_cell_position(position, low, high, vec3(vertices));
-  uvec3 cell = min(uvec3(place), vertices - 2u);
+  uvec3 cell = minimum(uvec3(place), vertices - 2u);
   vec3 t = place - vec3(cell);
   float weights[$WEIGHTS];
   zonal_$NAME_weights(t.x, t.y, t.z, (high - low) / vec3(vertices - 1u), weights);

@@ -32,8 +32,9 @@ struct CellCoordinate {
 };
 inline CellCoordinate locate(float x, float low, float high, int vertices) {
   const float count = static_cast<float>(vertices), last = count - 1.0F, rate = cell_rate(low, high, count);
-  const float inside = cell_position(x, low, rate, count);                 // NaN stays
-  const int cell = static_cast<int>(min(max(0.0F, inside), last - 1.0F));  // NaN is 0: the order of operands matters
+  const float inside = cell_position(x, low, rate, count);  // NaN stays
+  const int cell =
+      static_cast<int>(minimum(maximum(0.0F, inside), last - 1.0F));  // NaN is 0: the order of operands matters
   return {cell, inside - static_cast<float>(cell), x < low || high < x ? 0.0F : rate};
 }
 

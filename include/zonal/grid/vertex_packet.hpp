@@ -25,12 +25,12 @@ struct VertexPacket {
   std::size_t first, count;
 
   VertexPacket(const CoefficientGrid<N>& grid, std::size_t packet) : first(packet * kNativeLanes) {
-    count = std::min<std::size_t>(kNativeLanes, grid.vertex_count() - first);
+    count = (std::min<std::size_t>)(kNativeLanes, grid.vertex_count() - first);
     const auto width = static_cast<std::size_t>(grid.resolution().x),
                height = static_cast<std::size_t>(grid.resolution().y);
     float lanes[3][kNativeLanes];
     for (std::size_t lane = 0; lane < kNativeLanes; ++lane) {
-      const std::size_t vertex = first + std::min(lane, count - 1);
+      const std::size_t vertex = first + (std::min)(lane, count - 1);
       const glm::vec3 p = grid.position(glm::ivec3(vertex % width, vertex / width % height, vertex / width / height));
       for (int i = 0; i < 3; ++i) lanes[i][lane] = p[i];
     }

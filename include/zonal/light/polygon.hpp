@@ -70,7 +70,7 @@ namespace detail {
 // 1 / max(x, tiny): infinities become large.
 template <class T>
 ZONAL_INLINE constexpr T safe_inverse(const T& x) {
-  return T(1) / max(x, T(1e-30L));
+  return T(1) / maximum(x, T(1e-30L));
 }
 
 // The cosine of the angle between two vectors.
@@ -105,8 +105,8 @@ ZONAL_INLINE constexpr void integrate_edge(const T (&p)[3], const T (&edge)[3], 
   const T length = sqrt(dot3(middle, middle)), length_inverse = safe_inverse(length);
   for (int i = 0; i < 3; ++i) middle[i] = middle[i] * length_inverse;
   cross3(result.normal, middle, along);
-  const T cos_half = min(T(0.5L) * length, T(1));
-  const T sin_half = min(sqrt(area2) * (p_inverse * q_inverse) * length_inverse, T(1));
+  const T cos_half = minimum(T(0.5L) * length, T(1));
+  const T sin_half = minimum(sqrt(area2) * (p_inverse * q_inverse) * length_inverse, T(1));
   const T half = angle_from(cos_half, sin_half);
 
   // Nodes. 1 / rho is u . foot / |c|^2, foot being |edge|^2 times the foot of the perpendicular on the edge's line.
@@ -143,7 +143,7 @@ ZONAL_INLINE constexpr T triangle_solid_angle(const T& volume, const T (&a)[3], 
   const T la = sqrt(dot3(a, a)), lb = sqrt(dot3(b, b)), lc = sqrt(dot3(c, c));
   const T cosine = la * lb * lc + dot3(a, b) * lc + dot3(b, c) * la + dot3(c, a) * lb;
   const T inverse = safe_inverse(sqrt(volume * volume + cosine * cosine));
-  return T(2) * angle_from(clamp(cosine * inverse, T(-1), T(1)), min(abs(volume) * inverse, T(1)));
+  return T(2) * angle_from(clamp(cosine * inverse, T(-1), T(1)), minimum(abs(volume) * inverse, T(1)));
 }
 
 // How large a polygon looks, and from which side: 1 where its vertices run counterclockwise as seen, else -1.
@@ -278,7 +278,7 @@ T largest_arc(const PolygonLight<V, T>& light, const glm::vec<3, T>& x) {
   const T receiver[3] = {x[0], x[1], x[2]};
   const detail::SeenPolygon<V, T> seen(light, receiver);
   T least_cosine = T(1);
-  for (int v = 0; v < V; ++v) least_cosine = min(least_cosine, detail::arc_cosine(seen.p[v], seen.p[(v + 1) % V]));
+  for (int v = 0; v < V; ++v) least_cosine = minimum(least_cosine, detail::arc_cosine(seen.p[v], seen.p[(v + 1) % V]));
   return acos(least_cosine);
 }
 

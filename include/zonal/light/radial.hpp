@@ -45,7 +45,7 @@ struct Sight {
   ZONAL_INLINE static constexpr Sight to(const T& x, const T& y, const T& z) {
     const T square = x * x + y * y + z * z, least = T(1e-30L);
     const auto is_at_centre = square < least;
-    const T distance = sqrt(max(square, least)), inverse = T(1) / distance;
+    const T distance = sqrt(maximum(square, least)), inverse = T(1) / distance;
     return {{select(is_at_centre, T(0), x * inverse), select(is_at_centre, T(0), y * inverse),
              select(is_at_centre, T(1), z * inverse)},
             distance,

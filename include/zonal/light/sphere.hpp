@@ -22,12 +22,12 @@ inline namespace ZONAL_TARGET {
 /// together, A_l = pi sin^2 a e_l and A_l' = -2 pi sin^2 a / (d cos a) P_l(cos a).
 template <int N, class T>
 ZONAL_INLINE constexpr RadialProfile<N, T> sphere_profile(const Sight<T>& sight, const T& radius) {
-  const T sin_angle = min(radius * sight.inverse_distance, T(1));
+  const T sin_angle = minimum(radius * sight.inverse_distance, T(1));
   const T cos_angle = sqrt((T(1) - sin_angle) * (T(1) + sin_angle));
   const SphericalCap<T> cap{cos_angle, sin_angle};
   constexpr long double epsilon = static_cast<long double>(std::numeric_limits<lane_t<T>>::epsilon());
   constexpr long double least_cosine = constexpr_sqrt(epsilon) / 2;
-  const T tangent = sin_angle / max(cos_angle, T(least_cosine));
+  const T tangent = sin_angle / maximum(cos_angle, T(least_cosine));
   const T slope = select(sight.distance < radius, T(0), T(-2 * kPi) * (sin_angle * tangent * sight.inverse_distance));
   RadialProfile<N, T> profile{};
   detail::cap_sums<N>(cap, [&](auto l, const T& sum) ZONAL_INLINE { profile.value.values[l] = T(kPi) * sum; });

@@ -43,7 +43,7 @@ struct SphericalCap {
   /// The cap that a sphere covers: sin a = radius / distance, distance measured to its centre. From within the sphere
   /// (distance < radius) it is the hemisphere, which is continuous at the surface. distance > 0, radius >= 0.
   ZONAL_INLINE static SphericalCap from_sphere(const T& distance, const T& radius) {
-    const T sin_angle = min(radius / distance, T(1));
+    const T sin_angle = minimum(radius / distance, T(1));
     return {sqrt((T(1) - sin_angle) * (T(1) + sin_angle)), sin_angle};
   }
 };

@@ -44,7 +44,7 @@ ZONAL_INLINE constexpr void project(const SphericalGaussian<T>& lobe, Sink&& sin
   // e^-lambda i_l by both ways. Each divides by a safe value where it is not selected.
   const auto is_tiny = lambda < T(1);
   const auto is_sharp = T(N * N / 2.0L) < lambda;
-  const T safe = max(lambda, T(1));
+  const T safe = maximum(lambda, T(1));
   const T fall = exp(T(-2) * safe);
   const T i0 = select(is_tiny, T(1) / sum, (T(1) - fall) / (safe + safe));
   T before = i0, upward = ((T(1) + fall) * T(0.5L) - i0) / safe, downward = i0;

@@ -80,8 +80,8 @@ AnisotropicProjection<N> project_anisotropic_brdf(const F& brdf, double cos_outg
   auto coarse = detail::project_anisotropic_once<N>(brdf, cos_outgoing, azimuth, quadrature.rule(0));
   for (int level = 1;; ++level) {
     auto fine = detail::project_anisotropic_once<N>(brdf, cos_outgoing, azimuth, quadrature.rule(level));
-    fine.error = std::max(detail::relative_movement(coarse.with_cosine, fine.with_cosine),
-                          detail::relative_movement(coarse.without_cosine, fine.without_cosine));
+    fine.error = (std::max)(detail::relative_movement(coarse.with_cosine, fine.with_cosine),
+                            detail::relative_movement(coarse.without_cosine, fine.without_cosine));
     if (fine.error <= tolerance || level + 1 == ProjectionQuadrature::levels) return fine;
     coarse = fine;
   }
@@ -132,7 +132,7 @@ class AnisotropicTable {
     const double degree = double(kPi) / 180.0, x = double(outgoing.x), y = double(outgoing.y), z = double(outgoing.z);
     const double angle = std::clamp(std::atan2(std::hypot(x, y), z) / degree, 0.0, double(angles - 1));
     const double turn = std::atan2(y, x) / degree + azimuths;  // positive
-    const int low = std::min(int(angle), angles - 2), first = int(turn);
+    const int low = (std::min)(int(angle), angles - 2), first = int(turn);
     const auto s = float(angle - low), t = float(turn - first);
     Coefficients sum{};
     const auto add = [&](int row, int azimuth, float weight) {

@@ -96,7 +96,7 @@ namespace detail {
 /// The mask of lanes where both directions are above the horizon.
 template <class T>
 ZONAL_INLINE inline mask_t<T> above_horizon(const glm::vec<3, T>& wi, const glm::vec<3, T>& wo) {
-  return min(wi.z, wo.z) > T(0);
+  return minimum(wi.z, wo.z) > T(0);
 }
 
 /// rgb where the mask holds, black elsewhere.
@@ -140,7 +140,7 @@ struct HalfVector {
 template <class T>
 ZONAL_INLINE inline HalfVector<T> half_vector(const glm::vec<3, T>& wi, const glm::vec<3, T>& wo) {
   const glm::vec<3, T> h = wi + wo;
-  const T scale = max(max(abs(h.x), abs(h.y)), h.z);  // no underflow between two grazing directions
+  const T scale = maximum(maximum(abs(h.x), abs(h.y)), h.z);  // no underflow between two grazing directions
   const glm::vec<3, T> s = h * (T(1) / scale);
   const T across = s.x * s.x + s.y * s.y, along = s.z * s.z;
   const T inverse = T(1) / (across + along);
@@ -165,7 +165,7 @@ ZONAL_INLINE inline T ggx_projected_length(T cos_angle, T alpha) {
 template <class T>
 ZONAL_INLINE inline T ggx_visibility(T cos_i, T cos_o, T alpha) {
   const T sum = cos_o * ggx_projected_length(cos_i, alpha) + cos_i * ggx_projected_length(cos_o, alpha);
-  return T(0.5) / max(sum, T(1e-17));
+  return T(0.5) / maximum(sum, T(1e-17));
 }
 
 /// Unpolarised Fresnel reflectance of a half space of index eta + i k, [4] section 1.5.2 carried to a complex
@@ -178,8 +178,8 @@ ZONAL_INLINE inline T fresnel_reflectance(T cos_angle, T eta, T k) {
   const T squared_sine = (T(1) - c) * (T(1) + c);
   const T real = (eta - k) * (eta + k) - squared_sine;
   const T modulus = sqrt(real * real + T(4) * eta * eta * k * k);
-  const T a = sqrt(max(T(0.5) * (modulus + real), T(0)));
-  const T b2 = max(T(0.5) * (modulus - real), T(0));
+  const T a = sqrt(maximum(T(0.5) * (modulus + real), T(0)));
+  const T b2 = maximum(T(0.5) * (modulus - real), T(0));
   const auto square = [](const T& x) ZONAL_INLINE { return x * x; };
   const T s_polarised = (square(a - c) + b2) / (square(a + c) + b2);
   const T p_over_s = (square(a * c - squared_sine) + b2 * c * c) / (square(a * c + squared_sine) + b2 * c * c);

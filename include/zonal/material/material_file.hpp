@@ -142,7 +142,7 @@ inline std::uint64_t material_fingerprint(const std::filesystem::path& source, i
   std::array<unsigned char, 4 * detail::FileWords::block> bytes;
   std::array<std::uint32_t, detail::FileWords::block> decoded;
   for (std::uint64_t left = file.size(); left > 0;) {
-    const auto now = static_cast<std::size_t>(std::min<std::uint64_t>(left, bytes.size()));
+    const auto now = static_cast<std::size_t>((std::min<std::uint64_t>)(left, bytes.size()));
     std::fill(bytes.begin(), bytes.end(), static_cast<unsigned char>(0));
     file.read(bytes.data(), now);
     words.decode(bytes.data(), (now + 3) / 4, decoded.data());

@@ -34,8 +34,8 @@ namespace detail {
 template <class Coefficients>
 void interpolate_rows(const std::vector<glm::vec3>& table, int angles, float cos_outgoing, Coefficients& result) {
   const float degrees = acos(clamp(cos_outgoing, -1.0F, 1.0F)) * float(180 / kPi);
-  const float position = std::min(degrees, float(angles - 1));
-  const int below = int(position), above = std::min(below + 1, angles - 1);
+  const float position = (std::min)(degrees, float(angles - 1));
+  const int below = int(position), above = (std::min)(below + 1, angles - 1);
   const float t = position - float(below);
   const int row_size = int(table.size()) / angles;
   const glm::vec3* row_below = table.data() + below * row_size;
@@ -73,7 +73,7 @@ class MaterialTable {
     for (const BrdfProjection<max_bands>& projection : projections) {
       append(with_cosine_, projection.with_cosine);
       append(without_cosine_, projection.without_cosine);
-      achieved_error_ = std::max(achieved_error_, projection.error);
+      achieved_error_ = (std::max)(achieved_error_, projection.error);
     }
   }
 

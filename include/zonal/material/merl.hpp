@@ -109,8 +109,8 @@ class MerlBrdf {
   // position in [0, 1]; what is outside, or no number, is moved to an end.
   static Place place(double position, int count) {
     const double x = position * count - 0.5;
-    const double inside = x > 0.0 ? std::min(x, double(count - 1)) : 0.0;
-    const int below = std::min(int(inside), count - 2);
+    const double inside = x > 0.0 ? (std::min)(x, double(count - 1)) : 0.0;
+    const int below = (std::min)(int(inside), count - 2);
     return {below, below + 1, inside - below};
   }
   // position of period 1.
@@ -157,7 +157,7 @@ inline bool read_merl_plane(InputFile& file, int channel, std::vector<glm::vec3>
   std::array<unsigned char, 8 * block> bytes;
   bool any = false;
   for (std::size_t done = 0; done < samples.size(); done += block) {
-    const std::size_t now = std::min(block, samples.size() - done);
+    const std::size_t now = (std::min)(block, samples.size() - done);
     file.read(bytes.data(), 8 * now);
     for (std::size_t i = 0; i < now; ++i) {
       const double stored = same_bits<double>(from_little_endian<std::uint64_t>(&bytes[8 * i]));

@@ -61,12 +61,12 @@ class ProjectionQuadrature {
 
 namespace detail {
 
-inline double largest(const glm::dvec3& rgb) { return std::max({std::abs(rgb.x), std::abs(rgb.y), std::abs(rgb.z)}); }
+inline double largest(const glm::dvec3& rgb) { return (std::max)({std::abs(rgb.x), std::abs(rgb.y), std::abs(rgb.z)}); }
 
 template <class Coefficients>
 double largest(const Coefficients& sh) {
   double result = 0.0;
-  for (const glm::dvec3& coefficient : sh) result = std::max(result, largest(coefficient));
+  for (const glm::dvec3& coefficient : sh) result = (std::max)(result, largest(coefficient));
   return result;
 }
 
@@ -86,8 +86,8 @@ BrdfProjection<N> sum(const BrdfProjection<N>& a, const BrdfProjection<N>& b) {
   };
   using Projection = BrdfProjection<N>;
   return {a.with_cosine + b.with_cosine, a.without_cosine + b.without_cosine,
-          std::max(relative_error(&Projection::with_cosine), relative_error(&Projection::without_cosine)),
-          std::max(a.theta_nodes, b.theta_nodes)};
+          (std::max)(relative_error(&Projection::with_cosine), relative_error(&Projection::without_cosine)),
+          (std::max)(a.theta_nodes, b.theta_nodes)};
 }
 
 /// What a function becomes when phi changes its sign: itself, or its opposite.
@@ -175,8 +175,8 @@ BrdfProjection<N> project_brdf(const F& brdf, double cos_outgoing, double tolera
   BrdfProjection<N> coarse = detail::project_brdf_once<N>(brdf, cos_outgoing, quadrature.rule(0));
   for (int level = 1;; ++level) {
     BrdfProjection<N> fine = detail::project_brdf_once<N>(brdf, cos_outgoing, quadrature.rule(level));
-    fine.error = std::max(detail::relative_movement(coarse.with_cosine, fine.with_cosine),
-                          detail::relative_movement(coarse.without_cosine, fine.without_cosine));
+    fine.error = (std::max)(detail::relative_movement(coarse.with_cosine, fine.with_cosine),
+                            detail::relative_movement(coarse.without_cosine, fine.without_cosine));
     if (fine.error <= tolerance || level + 1 == ProjectionQuadrature::levels) return fine;
     coarse = fine;
   }

@@ -91,8 +91,8 @@ struct GridShape {
 
   GridCell cell(const glm::dvec2& u) const {
     const auto axis = [](double place, std::size_t count) {
-      const double x = place > 0.0 ? std::min(place, 1.0) * double(count - 1) : 0.0;
-      const std::size_t below = std::min(static_cast<std::size_t>(x), count - 2);
+      const double x = place > 0.0 ? (std::min)(place, 1.0) * double(count - 1) : 0.0;
+      const std::size_t below = (std::min)(static_cast<std::size_t>(x), count - 2);
       return std::pair(below, x - double(below));
     };
     const auto [column, x] = axis(u.x, columns);
@@ -162,7 +162,7 @@ class SquareWarp {
     float* const rows = rows_.data() + slice * shape_.rows;
     std::vector<double> sums(shape_.size()), row_sums(shape_.rows);
     for (std::size_t i = 0; i < shape_.size(); ++i) {
-      density[i] = std::max(density[i], 0.0F);
+      density[i] = (std::max)(density[i], 0.0F);
       if (i % shape_.columns != 0) sums[i] = sums[i - 1] + 0.5 * (double(density[i - 1]) + double(density[i]));
     }
     const auto row_mass = [&](std::size_t row) { return sums[shape_.index(row, shape_.columns - 1)]; };
@@ -233,10 +233,10 @@ class RglBrdf {
     const detail::SliceBlend blend =
         detail::slice_blend(detail::node_pair(a_.phi, phi_o), detail::node_pair(a_.theta, theta_o), a_.theta.size());
 
-    const glm::dvec3 rgb = glm::max(interpolate_rgb(a_.vndf(u, blend), blend), 0.0);
+    const glm::dvec3 rgb = (glm::max)(interpolate_rgb(a_.vndf(u, blend), blend), 0.0);
     const double sigma = a_.jacobian ? 4.0 * a_.sigma(detail::square_place(theta_o, phi_o)) : 1.0;
-    const double density = a_.jacobian ? std::max(a_.ndf(u), 0.0) : 1.0;
-    return sigma > 0.0 ? rgb * (density / (sigma * std::max(wi.z, 1e-4))) : glm::dvec3(0.0);
+    const double density = a_.jacobian ? (std::max)(a_.ndf(u), 0.0) : 1.0;
+    return sigma > 0.0 ? rgb * (density / (sigma * (std::max)(wi.z, 1e-4))) : glm::dvec3(0.0);
   }
 
  private:

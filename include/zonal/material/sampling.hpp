@@ -92,9 +92,9 @@ inline glm::vec3 sample_visible_normal(float alpha, const glm::vec3& wo, const g
   const float radius = std::sqrt(u.x), phi = 2.0F * float(kPi) * u.y;
   const float p1 = radius * std::cos(phi);
   const float blend = 0.5F * (1.0F + view.z);
-  const float p2 = (1.0F - blend) * std::sqrt(std::max(0.0F, 1.0F - p1 * p1)) + blend * radius * std::sin(phi);
-  const glm::vec3 n = p1 * t1 + p2 * t2 + std::sqrt(std::max(0.0F, 1.0F - p1 * p1 - p2 * p2)) * view;
-  return glm::normalize(glm::vec3(alpha * n.x, alpha * n.y, std::max(1e-6F, n.z)));
+  const float p2 = (1.0F - blend) * std::sqrt((std::max)(0.0F, 1.0F - p1 * p1)) + blend * radius * std::sin(phi);
+  const glm::vec3 n = p1 * t1 + p2 * t2 + std::sqrt((std::max)(0.0F, 1.0F - p1 * p1 - p2 * p2)) * view;
+  return glm::normalize(glm::vec3(alpha * n.x, alpha * n.y, (std::max)(1e-6F, n.z)));
 }
 
 inline glm::vec3 sample_lobe(const GgxBrdf& brdf, const glm::vec3& wo, const glm::vec2& u) {
@@ -123,7 +123,7 @@ inline glm::vec3 sample_lobe(const MeasuredBrdf& brdf, const glm::vec3& wo, cons
   const MeasuredProposal proposal(brdf);
   const float share = proposal.diffuse_share;
   if (u.x < share) return sample_lobe(LambertBrdf{}, wo, {u.x / share, u.y});
-  return sample_lobe(proposal.specular, wo, {std::min((u.x - share) / (1.0F - share), 0x1.fffffep-1F), u.y});
+  return sample_lobe(proposal.specular, wo, {(std::min)((u.x - share) / (1.0F - share), 0x1.fffffep-1F), u.y});
 }
 
 template <class T>

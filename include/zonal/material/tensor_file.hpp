@@ -78,7 +78,7 @@ class TensorFile {
     std::vector<float> floats(static_cast<std::size_t>(field.elements));
     file_.seek(field.offset);
     for (std::size_t done = 0; done < floats.size(); done += block) {
-      const std::size_t now = std::min(block, floats.size() - done);
+      const std::size_t now = (std::min)(block, floats.size() - done);
       file_.read(bytes.data(), 4 * now);
       for (std::size_t i = 0; i < now; ++i) {
         const float x = detail::from_word(detail::from_little_endian<std::uint32_t>(&bytes[4 * i]));

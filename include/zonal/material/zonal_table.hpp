@@ -39,7 +39,7 @@ Zh<N, glm::dvec3> project_mirror_lobe_once(const F& brdf, double cos_outgoing, c
         const double t = 0.5 * (1.0 + rule.nodes[j]), phi = double(kPi) * (1.0 - t * t);
         const glm::dvec3 wi(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
         const glm::dvec3 weighted = brdf(wi, wo) * (ring * 2.0 * double(kPi) * t * rule.weights[j]);
-        evaluate_zonal<N>(std::min(glm::dot(wi, mirror), 1.0),
+        evaluate_zonal<N>((std::min)(glm::dot(wi, mirror), 1.0),
                           [&](auto l, double y) { result.values[l] += weighted * y; });
       }
     }

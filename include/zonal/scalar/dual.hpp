@@ -49,8 +49,8 @@ struct Dual {
     for (std::size_t k = 0; k < K; ++k) r.partial[k] = select(mask, a.partial[k], b.partial[k]);
     return r;
   }
-  friend Dual min(const Dual& a, const Dual& b) { return select(b < a, b, a); }
-  friend Dual max(const Dual& a, const Dual& b) { return select(a < b, b, a); }
+  friend Dual minimum(const Dual& a, const Dual& b) { return select(b < a, b, a); }
+  friend Dual maximum(const Dual& a, const Dual& b) { return select(a < b, b, a); }
   friend Dual abs(const Dual& a) { return select(a < Dual(0), -a, a); }
   friend Dual sqrt(const Dual& a) {
     const T root = sqrt(a.value);

@@ -59,7 +59,7 @@ ZONAL_INLINE constexpr T acos(const T& x) {
 template <class T>
 ZONAL_INLINE constexpr T angle_from(const T& cos_angle, const T& sin_angle) {
   const T magnitude = abs(cos_angle);
-  const T acute = select(sin_angle < magnitude, asin(sin_angle), T(kPi / 2) - asin(min(magnitude, T(1))));
+  const T acute = select(sin_angle < magnitude, asin(sin_angle), T(kPi / 2) - asin(minimum(magnitude, T(1))));
   return select(cos_angle < T(0), T(kPi) - acute, acute);
 }
 
@@ -124,7 +124,7 @@ inline constexpr ExponentialTable<T> exponential_table{};
 template <class T>
 ZONAL_INLINE constexpr T exp(const T& x) {
   constexpr auto& table = detail::exponential_table<T>;
-  T rest = min(abs(x), T(table.greatest)), product = T(1);
+  T rest = minimum(abs(x), T(table.greatest)), product = T(1);
   unroll<0, table.digits>([&](auto i) ZONAL_INLINE {
     constexpr int digit = table.digits - 1 - i;
     const auto is_set = T(table.power[digit]) <= rest;

@@ -141,11 +141,11 @@ struct Packet {
     return Packet(Registers::map([](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pdiv(x, y); },
                                  a.lanes, b.lanes));
   }
-  ZONAL_INLINE friend Packet min(const Packet& a, const Packet& b) {
+  ZONAL_INLINE friend Packet minimum(const Packet& a, const Packet& b) {
     return Packet(Registers::map([](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pmin(x, y); },
                                  a.lanes, b.lanes));
   }
-  ZONAL_INLINE friend Packet max(const Packet& a, const Packet& b) {
+  ZONAL_INLINE friend Packet maximum(const Packet& a, const Packet& b) {
     return Packet(Registers::map([](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pmax(x, y); },
                                  a.lanes, b.lanes));
   }

@@ -205,11 +205,11 @@ inline Recorder operator/(const Recorder& a, const Recorder& b) {
   if (detail::is(b, 1)) return a;
   return detail::record(Operation::divide, a, b, [](float x, float y) { return x / y; });
 }
-inline Recorder min(const Recorder& a, const Recorder& b) {
-  return detail::record(Operation::minimum, a, b, [](float x, float y) { return min(x, y); });
+inline Recorder minimum(const Recorder& a, const Recorder& b) {
+  return detail::record(Operation::minimum, a, b, [](float x, float y) { return minimum(x, y); });
 }
-inline Recorder max(const Recorder& a, const Recorder& b) {
-  return detail::record(Operation::maximum, a, b, [](float x, float y) { return max(x, y); });
+inline Recorder maximum(const Recorder& a, const Recorder& b) {
+  return detail::record(Operation::maximum, a, b, [](float x, float y) { return maximum(x, y); });
 }
 inline Recorder abs(const Recorder& a) {
   return detail::record(Operation::absolute, a, [](float x) { return abs(x); });

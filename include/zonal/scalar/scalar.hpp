@@ -6,7 +6,7 @@
 //   + - * / unary-               arithmetic
 //   < <= > >=                     comparisons, which give a mask_t<T>
 //   select(mask, a, b)            a where the mask holds, b elsewhere; both are computed
-//   min max abs sqrt              found by argument-dependent lookup
+//   minimum maximum abs sqrt      found by argument-dependent lookup
 //
 // Ready-made scalars: float, double, long double (here), Packet (packet.hpp), Dual (dual.hpp),
 // Shadow (shadow.hpp) and Recorder (recorder.hpp). A type of your own joins by offering the list above
@@ -62,11 +62,11 @@ constexpr IfBuiltin<T, T> select(bool mask, T a, T b) {
   return mask ? a : b;
 }
 template <class T>
-constexpr IfBuiltin<T, T> min(T a, T b) {
+constexpr IfBuiltin<T, T> minimum(T a, T b) {
   return b < a ? b : a;
 }
 template <class T>
-constexpr IfBuiltin<T, T> max(T a, T b) {
+constexpr IfBuiltin<T, T> maximum(T a, T b) {
   return a < b ? b : a;
 }
 template <class T>
@@ -86,7 +86,7 @@ ZONAL_INLINE constexpr void add_product(T& sum, const T& a, const T& b) {
 
 template <class T>
 ZONAL_INLINE constexpr T clamp(T x, T low, T high) {
-  return min(max(x, low), high);
+  return minimum(maximum(x, low), high);
 }
 
 }  // namespace ZONAL_TARGET

@@ -35,8 +35,8 @@ struct Shadow {
   friend bool operator>=(const Shadow& a, const Shadow& b) { return a.value >= b.value; }
 
   friend Shadow select(bool mask, const Shadow& a, const Shadow& b) { return mask ? a : b; }
-  friend Shadow min(const Shadow& a, const Shadow& b) { return b < a ? b : a; }
-  friend Shadow max(const Shadow& a, const Shadow& b) { return a < b ? b : a; }
+  friend Shadow minimum(const Shadow& a, const Shadow& b) { return b < a ? b : a; }
+  friend Shadow maximum(const Shadow& a, const Shadow& b) { return a < b ? b : a; }
   friend Shadow abs(const Shadow& a) { return a.value < Narrow(0) ? -a : a; }
   friend Shadow sqrt(const Shadow& a) { return {sqrt(a.value), sqrt(a.wide)}; }
 };

@@ -35,7 +35,7 @@ void check_derivatives(const char* what, F f) {
 }  // namespace
 
 TEST_CASE("The derivative of every operation is that of central differences") {
-  using zonal::select, zonal::min, zonal::max, zonal::abs, zonal::sqrt, zonal::exp;
+  using zonal::select, zonal::minimum, zonal::maximum, zonal::abs, zonal::sqrt, zonal::exp;
   check_derivatives("-a", [](const auto& a, const auto&) { return -a; });
   check_derivatives("a+b", [](const auto& a, const auto& b) { return a + b; });
   check_derivatives("a-b", [](const auto& a, const auto& b) { return a - b; });

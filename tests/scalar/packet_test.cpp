@@ -55,11 +55,11 @@ void check_operations() {
   check_lanes<T, W>("a*b", [](const auto& a, const auto& b, const auto&) { return a * b; });
   check_lanes<T, W>("a/b", [](const auto& a, const auto& b, const auto&) { return a / b; });
   check_lanes<T, W>("min", [](const auto& a, const auto& b, const auto&) {
-    using zonal::min;
+    using zonal::minimum;
     return minimum(a, b);
   });
   check_lanes<T, W>("max", [](const auto& a, const auto& b, const auto&) {
-    using zonal::max;
+    using zonal::maximum;
     return maximum(a, b);
   });
   check_lanes<T, W>("abs", [](const auto& a, const auto&, const auto&) {

@@ -309,8 +309,12 @@ class FunctionWriter {
 
   void write_return() {
     const Parameter& p = *outputs_.front();
+    std::vector<std::string> components;
+    std::size_t length = 0;
+    for (const Recorder& output : function_.outputs) length += components.emplace_back(value(output)).size() + 2;
+    const std::string separator = length > longest_compound ? ",\n      " : ", ";
     std::string whole;
-    for (const Recorder& output : function_.outputs) whole += (whole.empty() ? "" : ", ") + value(output);
+    for (const std::string& component : components) whole += (whole.empty() ? "" : separator) + component;
     if (p.components > 1) whole = bare_type(p) + "(" + whole + ")";
     body_ += "  " + local(type(p), true) + p.name + " = " + whole + ";\n  return " + p.name + ";\n";
   }

@@ -13,8 +13,8 @@ function(zonal_add_shader target)
     message(FATAL_ERROR "zonal_add_shader(<target> OUTPUT <file> FUNCTIONS <name>... [BANDS <n>] [DIALECT <dialect>] "
       "[OPTIONS <option>...])")
   endif()
-  if(NOT shader_BANDS)
-    set(shader_BANDS 5)
+  if(shader_BANDS)
+    list(PREPEND shader_OPTIONS --bands ${shader_BANDS})
   endif()
   if(NOT shader_DIALECT)
     set(shader_DIALECT glsl450)
@@ -42,7 +42,7 @@ function(zonal_add_shader target)
   list(JOIN shader_FUNCTIONS "," names)
   add_custom_command(OUTPUT ${shader_OUTPUT}
     COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
-    COMMAND ${program} --bands ${shader_BANDS} --functions ${names} --dialect ${shader_DIALECT} ${shader_OPTIONS}
+    COMMAND ${program} --functions ${names} --dialect ${shader_DIALECT} ${shader_OPTIONS}
       -o ${shader_OUTPUT}
     DEPENDS ${program}
     COMMENT "Writing ${shader_OUTPUT}"

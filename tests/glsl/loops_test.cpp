@@ -179,7 +179,9 @@ TEST_CASE("What interpolates a grid and what reconstructs colours fit together, 
         "  vec3 position = vec3(places[i], places[i + 1u], places[i + 2u]);\n"
         "  vec3 normal = vec3(places[i + 3u], places[i + 4u], places[i + 5u]);\n"
         "  vec3 sh[9];\n"
-        "  zonal_interpolate_" + method + "_3(position, vec3(-1.0), vec3(1.0), uvec3(3u, 4u, 2u), sh);\n"
+        "  zonal_interpolate_" +
+        method +
+        "_3(position, vec3(-1.0), vec3(1.0), uvec3(3u, 4u, 2u), sh);\n"
         "  vec3 reflected = zonal_reconstruct_lambert_colour_3(sh, normal);\n"
         "  vec3 smooth_ = zonal_reconstruct_colour_2(vec3[4](sh[0], sh[1], sh[2], sh[3]), normal);\n"
         "  for (int c = 0; c < 3; ++c) {\n"
@@ -199,7 +201,8 @@ TEST_CASE("What interpolates a grid and what reconstructs colours fit together, 
       const glm::vec3 normal(p[3], p[4], p[5]);
       zonal::Sh<2, glm::vec3> smooth;
       for (int k = 0; k < 4; ++k) smooth[k] = sh[k];
-      SceneRandom::append(expected, zonal::reconstruct_convolved(sh, zonal::project<N, float>(zonal::LambertLobe{}), normal));
+      SceneRandom::append(expected,
+                          zonal::reconstruct_convolved(sh, zonal::project<N, float>(zonal::LambertLobe{}), normal));
       SceneRandom::append(expected, zonal::reconstruct(smooth, normal));
     }
     require_equal(driver->read_buffer(out, 6 * count), expected, false, [&] { return method; });

@@ -83,10 +83,28 @@ std::vector<float> dot_of(Row row) {
   const A a = row.read<A>();
   return flat(zonal::dot(a, row.read<B>()));
 }
-template <class A, class B>
+template <class A>
 std::vector<float> convolution_of(Row row) {
   const A a = row.read<A>();
-  return flat(zonal::convolve(a, row.read<B>()));
+  return flat(zonal::convolve(a, row.read<Zh<float>>()));
+}
+/// Of coefficients of numbers, channel by channel.
+template <class Numbers, class Colours>
+Numbers channel_of(const Colours& colours, int channel) {
+  Numbers numbers;
+  for (int i = 0; i < Colours::size(); ++i) numbers[i] = colours[i][channel];
+  return numbers;
+}
+/// The library takes a kernel of numbers: one of colours is three.
+template <class A, class ChannelOfA>
+std::vector<float> convolution_by_channel(Row row) {
+  A a = row.read<A>();
+  const auto kernel = row.read<Zh<Colour>>();
+  for (int channel = 0; channel < 3; ++channel) {
+    const auto convolved = zonal::convolve(channel_of<ChannelOfA>(a, channel), channel_of<Zh<float>>(kernel, channel));
+    for (int i = 0; i < A::size(); ++i) a[i][channel] = convolved[i];
+  }
+  return flat(a);
 }
 std::vector<float> windowed(Row row, zonal::Window window) {
   const auto sh = row.read<Sh<Colour>>();
@@ -101,9 +119,7 @@ const std::map<std::string, std::function<std::vector<float>(Row)>> with_colours
        const Colour axis = row.colour();
        Sh<Colour> sh;
        for (int channel = 0; channel < 3; ++channel) {
-         Zh<float> one;
-         for (int l = 0; l < N; ++l) one[l] = zh[l][channel];
-         const Sh<float> oriented = zonal::orient(one, axis);
+         const Sh<float> oriented = zonal::orient(channel_of<Zh<float>>(zh, channel), axis);
          for (int i = 0; i < N * N; ++i) sh[i][channel] = oriented[i];
        }
        return flat(sh);
@@ -135,10 +151,10 @@ const std::map<std::string, std::function<std::vector<float>(Row)>> with_colours
        const auto kernel = row.read<Zh<float>>();
        return flat(zonal::reconstruct_convolved(sh, kernel, row.colour()));
      }},
-    {"convolve_colour", convolution_of<Sh<Colour>, Zh<float>>},
-    {"convolve_colours", convolution_of<Sh<Colour>, Zh<Colour>>},
-    {"convolve_zonal_colour", convolution_of<Zh<Colour>, Zh<float>>},
-    {"convolve_zonal_colours", convolution_of<Zh<Colour>, Zh<Colour>>},
+    {"convolve_colour", convolution_of<Sh<Colour>>},
+    {"convolve_colours", convolution_by_channel<Sh<Colour>, Sh<float>>},
+    {"convolve_zonal_colour", convolution_of<Zh<Colour>>},
+    {"convolve_zonal_colours", convolution_by_channel<Zh<Colour>, Zh<float>>},
     {"dot_colour", dot_of<Sh<Colour>, Sh<float>>},
     {"dot_colours", dot_of<Sh<Colour>, Sh<Colour>>},
     {"dot_even_colour", dot_of<EvenSh<Colour>, EvenSh<float>>},
@@ -216,8 +232,8 @@ TEST_CASE("A selection of coefficients is those of the whole, in a shorter array
     }
     CHECK(size == expected.size());
   };
-  for (const char* name : {"evaluate", "evaluate_with_gradient", "project_sphere_with_gradient", "convolve_colour",
-                           "orient"}) {
+  for (const char* name :
+       {"evaluate", "evaluate_with_gradient", "project_sphere_with_gradient", "convolve_colour", "orient"}) {
     const FunctionEntry& entry = *zonal_glsl::find_function(name);
     check_selection(entry, "even", [](int, int m) { return m >= 0; });
     for (int degree = 0; degree < bands; ++degree) {

@@ -1,4 +1,5 @@
 // zonal-glsl: writes the library's kernels as shader functions.
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -18,7 +19,7 @@ constexpr int exit_bad_request = 2;
 
 struct Options {
   Request request;
-  std::string bands = "5";
+  std::string bands = std::to_string(std::min(5, zonal::glsl::max_bands));
   std::string dialect = "glsl450";
   std::string output;
   bool list = false, count = false, temporaries = false;

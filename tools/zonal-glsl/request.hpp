@@ -14,8 +14,8 @@ struct RequestError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Functions and shells by name: <name>[:even|:degree<l>][@<bands>]. A selection of coefficients, evaluate:even (m >= 0)
-/// or evaluate:degree2, leaves the others out, and what they alone need; without @<bands> there are `bands`.
+/// Functions and shells by name: <name>[:even|:degree<l>][@<bands>]. A selection of coefficients, evaluate:even (m >=
+/// 0) or evaluate:degree2, leaves the others out, and what they alone need; without @<bands> there are `bands`.
 struct Request {
   std::vector<std::string> functions;
   int bands = 5;

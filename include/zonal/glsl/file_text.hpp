@@ -1,7 +1,8 @@
 // A whole file of functions: what it was made by, and the functions, each behind a guard of its own.
 //
-// Two files may have functions in common and be included, or pasted, into one: the first text of a function counts. WGSL
-// has no preprocessor, hence no guards: there all functions come in one file, or each file has a prefix of its own.
+// Two files may have functions in common and be included, or pasted, into one: the first text of a function counts.
+// WGSL has no preprocessor, hence no guards: there all functions come in one file, or each file has a prefix of its
+// own.
 #pragma once
 
 #include <cctype>

@@ -226,8 +226,9 @@ class FunctionWriter {
                        (options_.compound && uses_[i] == 1 && e.text.size() < longest_compound);
     if (!stays) {
       const std::string name = (is_flag ? "is_" : "t") + std::to_string(temporaries_++);
-      body_ += "  " + local(is_flag ? "bool" : std::string(dialect_.precision) + std::string(dialect_.number),
-                            !is_flag && is(Declarations::hlsl)) +
+      body_ += "  " +
+               local(is_flag ? "bool" : std::string(dialect_.precision) + std::string(dialect_.number),
+                     !is_flag && is(Declarations::hlsl)) +
                name + " = " + e.text + ";\n";
       e = {name, Binding::primary};
     }

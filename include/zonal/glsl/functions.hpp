@@ -3,8 +3,8 @@
 // An entry has a name, a line that says what it gives, and itself: run<N>(io) for any scalar (function_io.hpp). A new
 // function is one entry here and its name in a list at the end.
 //
-// The name of a function in a shader is zonal_<name>_<bands>: no two functions share a name, in any language, whether it
-// overloads or not.
+// The name of a function in a shader is zonal_<name>_<bands>: no two functions share a name, in any language, whether
+// it overloads or not.
 //
 // Some take part in a loop over lights for a sum over all orders m, "forward", or order by order, "reversed"
 // [1, section 5.1]: in a loop over m around the loop over lights, few sums are alive at a time. With an order they take

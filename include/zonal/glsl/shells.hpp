@@ -232,7 +232,8 @@ inline std::string shell_name(const Shell& shell, int bands, const TextOptions& 
   return options.prefix + std::string(shell.name) + "_" + std::to_string(bands);
 }
 
-/// A shell in a dialect of GLSL. An integer needs its precision as well: by default it has 16 bits in a fragment shader.
+/// A shell in a dialect of GLSL. An integer needs its precision as well: by default it has 16 bits in a fragment
+/// shader.
 inline std::string shell_text(const Shell& shell, int bands, const Dialect& dialect, const TextOptions& options = {}) {
   std::vector<detail::Substitution> words;
   for (const std::string type : {"float", "vec3", "uvec3", "uint", "int"}) {

@@ -1,4 +1,5 @@
 #include "light.inl"
+// In the other order than main.cpp.
 #include "basis.inl"
 
 float value_elsewhere(const float (&direction)[3]);

@@ -14,13 +14,17 @@ inline namespace ZONAL_TARGET {
 
 enum class Window { none, hann, sinc };
 
-/// The factor of degree l, 0 <= l <= width: hann (1 + cos(pi l/width))/2, sinc sin(pi l/width)/(pi l/width) [1].
+/// The factor of degree l >= 0: hann (1 + cos(pi l/width))/2, sinc sin(pi l/width)/(pi l/width) [1], and 0 from the
+/// width on. Degree 0 is kept as it is, whatever the width.
 template <class T, class = std::enable_if_t<!std::is_integral_v<T>>>
 ZONAL_INLINE constexpr T window_factor(Window window, int degree, const T& width) {
   if (window == Window::none || degree == 0) return T(1);
-  const T half = T(kPi / 2 * degree) / width;  // (1 + cos(2x))/2 = cos^2 x, sin(2x) = 2 sin x cos x
+  constexpr auto half_pi = rounded<T>(kPi / 2);
+  const auto is_within = T(degree) < width;
+  // (1 + cos(2x))/2 = cos^2 x, sin(2x) = 2 sin x cos x
+  const T half = T(half_pi) * select(is_within, T(degree) / width, T(1));
   const SinCos<T> at = sin_cos(half);
-  return at.cosine * (window == Window::hann ? at.cosine : at.sine / half);
+  return select(is_within, at.cosine * (window == Window::hann ? at.cosine : at.sine / half), T(0));
 }
 
 constexpr double window_factor(Window window, int degree, int width) {

@@ -23,8 +23,8 @@ inline namespace ZONAL_TARGET {
 template <int N, class T>
 ZONAL_INLINE constexpr RadialProfile<N, T> sphere_profile(const Sight<T>& sight, const T& radius) {
   const auto cap = SphericalCap<T>::from_sphere(sight.distance, sight.inverse_distance, radius);
-  constexpr auto epsilon = static_cast<long double>(std::numeric_limits<lane_t<T>>::epsilon());
-  constexpr auto least_cosine = rounded<T>(constexpr_sqrt(epsilon) / 2);
+  constexpr auto least_cosine =
+      rounded<T>(constexpr_sqrt(static_cast<long double>(std::numeric_limits<lane_t<T>>::epsilon())) / 2);
   constexpr auto pi = rounded<T>(kPi), minus_two_pi = rounded<T>(-2 * kPi);
   const T tangent = cap.sin_angle / maximum(cap.cos_angle, T(least_cosine));
   const T slope =

@@ -22,12 +22,12 @@ namespace reference {
 template <int N, class T>
 constexpr Zh<N, T> project_cap_legendre(const T& cos_angle) {
   Zh<N, T> zh{};
-  constexpr auto scale_0 = rounded<T>(detail::zonal_integral<0>);
+  constexpr auto scale_0 = rounded<T>(zonal::detail::zonal_integral<0>);
   zh[0] = T(scale_0) * (T(1) - cos_angle);
   [[maybe_unused]] T before = T(1), p = cos_angle;  // P_(l-1), P_l
   unroll<1, N>([&](auto l) {
     constexpr auto of_last = rounded<T>((2 * l + 1.0L) / (l + 1)), of_before = rounded<T>(1.0L * l / (l + 1));
-    constexpr auto scale = rounded<T>(detail::zonal_integral<l> / (2 * l + 1));
+    constexpr auto scale = rounded<T>(zonal::detail::zonal_integral<l> / (2 * l + 1));
     const T next = T(of_last) * cos_angle * p - T(of_before) * before;
     zh[l] = T(scale) * (before - next);
     before = p;

@@ -45,7 +45,7 @@ template <class T>
 using lane_of = typename LaneOf<T>::Type;
 
 template <class C, class Degree>
-C scale_degrees(C coefficients, Window window, double width, Degree last_of_degree) {
+constexpr C scale_degrees(C coefficients, Window window, double width, Degree last_of_degree) {
   for (int l = 0, i = 0; l < C::bands; ++l) {
     const double factor = window_factor(window, l, width);
     for (; i <= last_of_degree(l); ++i) {
@@ -59,15 +59,15 @@ C scale_degrees(C coefficients, Window window, double width, Degree last_of_degr
 
 /// The windowed coefficients. `width` defaults to the number of bands: degree N would be the first at zero.
 template <int N, class T>
-Sh<N, T> apply_window(const Sh<N, T>& sh, Window window, double width = N) {
+constexpr Sh<N, T> apply_window(const Sh<N, T>& sh, Window window, double width = N) {
   return detail::scale_degrees(sh, window, width, [](int l) { return sh_index(l, l); });
 }
 template <int N, class T>
-EvenSh<N, T> apply_window(const EvenSh<N, T>& sh, Window window, double width = N) {
+constexpr EvenSh<N, T> apply_window(const EvenSh<N, T>& sh, Window window, double width = N) {
   return detail::scale_degrees(sh, window, width, [](int l) { return even_index(l, l); });
 }
 template <int N, class T>
-Zh<N, T> apply_window(const Zh<N, T>& zh, Window window, double width = N) {
+constexpr Zh<N, T> apply_window(const Zh<N, T>& zh, Window window, double width = N) {
   return detail::scale_degrees(zh, window, width, [](int l) { return l; });
 }
 

@@ -1,9 +1,9 @@
 // Analytic BRDF models: Lambert, Phong, GGX, and sums of them.
 //
 // Directions are unit vectors in the local frame, z being the surface normal; wi points towards the light, wo
-// towards the eye. A BRDF f(wi, wo) is in 1/sr, one value per RGB channel, reciprocal, and exactly zero when
-// either direction is at or below the horizon. Only isotropic models live here: f depends on the azimuths
-// through their difference.
+// towards the eye. A BRDF f(wi, wo) is in 1/sr, one value per RGB channel, reciprocal (measured materials may not be),
+// and exactly zero when either direction is at or below the horizon. Only isotropic models live here: f depends on the
+// azimuths through their difference.
 //
 // Each kernel is a template on its scalar T (float, double, long double, or a packet of them); the parameters of
 // a model are floats, and are widened, so that a projection done in double is limited by the model and not by its

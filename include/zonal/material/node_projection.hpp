@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -107,6 +108,28 @@ class NodeSums {
   std::vector<double> sums_;  // RGB
 };
 
+/// at_level(0), at_level(1), ...: until the movement(coarse, fine) between two is within the tolerance, or no level is
+/// left. Returns the finer of the two, and the movement.
+template <class AtLevel, class Movement>
+auto refine_nodes(double tolerance, const AtLevel& at_level, const Movement& movement) {
+  auto coarse = at_level(0);
+  for (int level = 1;; ++level) {
+    auto fine = at_level(level);
+    const double error = movement(coarse, fine);
+    if (error <= tolerance || level == brdf_node_levels - 1) return std::pair(std::move(fine), error);
+    coarse = std::move(fine);
+  }
+}
+
+/// The greatest movement of both kinds of coefficients.
+struct ProjectionMovement {
+  template <class Projection>
+  double operator()(const Projection& coarse, const Projection& fine) const {
+    return (std::max)(relative_movement(coarse.with_cosine, fine.with_cosine),
+                      relative_movement(coarse.without_cosine, fine.without_cosine));
+  }
+};
+
 /// What project_brdf returns, by a quadrature of the BRDF's own: refined until no coefficient moves by more than
 /// tolerance times the largest.
 template <int N>
@@ -115,17 +138,13 @@ BrdfProjection<N> project_nodes(const BrdfNodes& nodes, double cos_outgoing, dou
   const auto at_level = [&](int level) {
     NodeSums<N, Parity::even> sums;
     nodes(wo, level, [&sums](const glm::dvec3& wi, const glm::dvec3& weighted) { sums.add(wi, weighted); });
-    return sums.project();
+    BrdfProjection<N> result = sums.project();
+    result.theta_nodes = level + 1;
+    return result;
   };
-  BrdfProjection<N> coarse = at_level(0);
-  for (int level = 1;; ++level) {
-    BrdfProjection<N> fine = at_level(level);
-    fine.error = (std::max)(relative_movement(coarse.with_cosine, fine.with_cosine),
-                            relative_movement(coarse.without_cosine, fine.without_cosine));
-    fine.theta_nodes = level + 1;
-    if (fine.error <= tolerance || level == brdf_node_levels - 1) return fine;
-    coarse = fine;
-  }
+  auto [result, error] = refine_nodes(tolerance, at_level, ProjectionMovement{});
+  result.error = error;
+  return result;
 }
 
 }  // namespace detail

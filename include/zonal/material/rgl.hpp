@@ -18,7 +18,14 @@
 // cumulative distributions of vndf, first that of the rows, then that along the row, so that samples are dense where
 // normals are visible [1, 4]. Between phi_i and theta_i everything is linear, beyond their ends constant.
 //
-// By reciprocity either direction may be i; here it is wo, towards the eye, as in pbrt and Mitsuba.
+// Light's paths may be followed either way only if f(a, b) = f(b, a), and the files of real materials do not keep to
+// that: one direction was measured at a few angles and the other densely, and colour-shifting films differ by
+// multiples. The direction i of the file is wo here, towards the eye, as in pbrt and Mitsuba; wi is towards the light.
+// Whoever exchanges them renders another material: see hvl.hpp for what virtual lights send out.
+//
+// A projection is integrated over the pieces between the tables' kinks, rgl_nodes.hpp: 90 angles of a real file (vndf
+// of 128 x 128, rgb of 32 x 32) take 1.5 to 2.5 s at a tolerance of 3e-3, and are within 5e-4 (1.6e-3 at 89 degrees) of
+// a brute-force sum of 10^6 values.
 //
 // [1] J. Dupuy, W. Jakob, "An Adaptive Parameterization for Efficient Material Acquisition and Rendering", ACM TOG
 //     37(6), 2018; https://rgl.epfl.ch/materials.

@@ -64,9 +64,12 @@ void add_quantiles(const V& v, const std::vector<double>& integral, std::size_t 
   }
 }
 
-/// Adds 1/cells, ..., (cells - 1)/cells.
+/// Adds the lines between the cells of a grid; and more where it is so coarse that harmonics would not be smooth in a
+/// cell.
 inline void add_lines(std::size_t cells, std::vector<double>& places) {
-  for (std::size_t k = 1; k < cells; ++k) places.push_back(double(k) / double(cells));
+  constexpr std::size_t least_cells = 100;
+  const std::size_t parts = cells * ((least_cells + cells - 1) / cells);
+  for (std::size_t k = 1; k < parts; ++k) places.push_back(double(k) / double(parts));
 }
 
 /// body(place, weight) for the nodes of the rule on every piece between `begin`, the sorted places inside, and `end`.
@@ -105,6 +108,10 @@ class RglNodes {
       }
     }
     if (half_) symmetrise_rgb();
+    const std::size_t columns = a_.ndf.shape.columns;
+    for (std::size_t i = columns; i < a_.ndf.shape.size() && ndf_has_one_row_; ++i) {
+      ndf_has_one_row_ = a_.ndf.values[i] == a_.ndf.values[i - columns];
+    }
     for (std::size_t row = 0; row < shape.rows; ++row) {
       integrate_linear(&density_[shape.index(row, 0)], shape.columns, along_row_);
       row_mass_.push_back(along_row_.back());
@@ -119,7 +126,7 @@ class RglNodes {
     const QuadratureRule across_rows = gauss_legendre(level + 1), along_row = gauss_legendre((std::max)(level + 1, 2));
     std::vector<double> places;
     add_lines(a_.vndf.shape().rows - 1, places);
-    if (a_.ndf.shape.rows != a_.vndf.shape().rows && a_.ndf.shape.rows > 2) add_lines(a_.ndf.shape.rows - 1, places);
+    if (a_.ndf.shape.rows != a_.vndf.shape().rows && !ndf_has_one_row_) add_lines(a_.ndf.shape.rows - 1, places);
     add_quantiles(row_mass_, rows_, a_.rgb_shape.rows - 1, places);
     add_grazing_lines(places);
     const double first = half_ ? 0.5 : 0.0;
@@ -262,7 +269,7 @@ class RglNodes {
 
   const RglArrays& a_;
   double sin_o_, cos_o_, phi_o_, scale_;
-  bool half_;
+  bool half_, ndf_has_one_row_ = true;
   std::vector<double> density_, row_mass_, rows_;  // of vndf: itself, its rows' integrals, and theirs
   std::vector<glm::dvec3> rgb_;
   // of the row at hand

@@ -143,7 +143,7 @@ const std::map<std::string, std::function<std::vector<float>(Row)>> with_colours
     {"reconstruct_lambert_colour",
      [](Row row) {
        const auto sh = row.read<Sh<Colour>>();
-       return flat(zonal::reconstruct_convolved(sh, zonal::project<N, float>(zonal::LambertLobe{}), row.colour()));
+       return flat(zonal::reconstruct_convolved(sh, zonal::LambertLobe{}, row.colour()));
      }},
     {"reconstruct_convolved_colour",
      [](Row row) {

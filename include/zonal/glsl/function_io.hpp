@@ -35,7 +35,7 @@ enum class Domain {
   half_angle,       // its cosine and sine, 0 to pi/2
   cosine,           // -1 to 1
   exponent,         // >= 0
-  window_width,     // >= the number of bands less one
+  window_width,     // > 0
   cell_coordinate,  // 0 to 1
   vertex_count,     // a whole number, >= 2
 };

@@ -12,7 +12,7 @@ options="$(sed -n 's/^\/\/ zonal [0-9.]*, GLSL ES 3.00. //p' pasted)"
 [ -n "$options" ] || { echo "irradiance.frag: no functions are pasted"; exit 1; }
 # shellcheck disable=SC2086 # options are words
 "$program" $options --dialect glsles300 -o written
-diff pasted written || { echo "irradiance.frag: paste what zonal-glsl $options --dialect glsles300 writes"; exit 1; }
+diff pasted written || { echo "irradiance.frag: run scripts/paste_shaders.sh <zonal-glsl>"; exit 1; }
 
 if ! command -v glslangValidator >/dev/null; then
   echo "skipped: no glslangValidator (Debian package glslang-tools)"

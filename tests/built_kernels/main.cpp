@@ -1,5 +1,6 @@
-// Kernels of every room as they are built where no test is built otherwise: by the other compiler, optimised in full, for
-// the least processor, without exceptions and type information. A handful of values each, against what they must be.
+// Kernels of every room as they are built where no test is built otherwise: by the other compiler, optimised in full,
+// for the least processor, without exceptions and type information. A handful of values each, against what they must
+// be.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -62,8 +63,8 @@ double square(const Sh& sh) {
 
 // ---- scalar, basis, lobe, transform ---------------------------------------------------------------------------------
 
-// The squares of all harmonics add up to N^2 / (4 pi), of a degree's gradients to l (l+1) (2l+1) / (4 pi); the Laplacian
-// of Y is -l (l+1) Y.
+// The squares of all harmonics add up to N^2 / (4 pi), of a degree's gradients to l (l+1) (2l+1) / (4 pi); the
+// Laplacian of Y is -l (l+1) Y.
 template <int N, class T>
 void check_basis(const char* what, double tolerance) {
   const std::array<T, 3> v{T(0.48F), T(0.6F), T(0.64F)};
@@ -96,8 +97,8 @@ void check_lobes(const char* what, double tolerance) {
   const auto lambert = zonal::project<4, T>(zonal::LambertLobe{});
   check(what, std::sqrt(4 * pi) * static_cast<double>(lane(lambert[0])), 1, tolerance);
   check(what, static_cast<double>(lane(zonal::dot(turned, turned))), square(cap), tolerance);
-  check(what, static_cast<double>(lane(zonal::convolve(turned, lambert)[0])),
-        static_cast<double>(lane(turned[0])), tolerance);
+  check(what, static_cast<double>(lane(zonal::convolve(turned, lambert)[0])), static_cast<double>(lane(turned[0])),
+        tolerance);
 }
 
 // ---- light ----------------------------------------------------------------------------------------------------------
@@ -121,8 +122,7 @@ void check_lights() {
   check_light("sphere", zonal::SphereLight<double>{glm::dvec3(0, 0, 2), 1}, glm::dvec3(0.0),
               2 * pi * (1 - std::sqrt(0.75)));
   // An octant.
-  check_light("triangle",
-              zonal::TriangleLight<double>{{glm::dvec3(1, 0, 0), glm::dvec3(0, 0, 1), glm::dvec3(0, 1, 0)}},
+  check_light("triangle", zonal::TriangleLight<double>{{glm::dvec3(1, 0, 0), glm::dvec3(0, 0, 1), glm::dvec3(0, 1, 0)}},
               glm::dvec3(0.0), pi / 2);
   // Of intensity 1: 1 / d^2.
   check_light("point", zonal::PointLight<double>{glm::dvec3(0, 1, 2)}, glm::dvec3(0.0), 0.2);

@@ -1,5 +1,5 @@
-// Numbers as text and back, whatever the locale. std::from_chars and std::to_chars of floats where the library has them:
-// libstdc++ before 11, libc++ for long and macOS before 13.3 have none, and get the same from streams.
+// Numbers as text and back, whatever the locale. std::from_chars and std::to_chars of floats where the library has
+// them: libstdc++ before 11, libc++ for long and macOS before 13.3 have none, and get the same from streams.
 #pragma once
 
 #include <charconv>

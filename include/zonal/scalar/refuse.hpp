@@ -12,8 +12,8 @@ namespace zonal {
 inline namespace ZONAL_TARGET {
 namespace detail {
 
-/// Throws std::invalid_argument(text). Compiled without exceptions (-fno-exceptions) it writes the text to standard error
-/// and ends the program: such callers check their arguments first. Kernels never come here.
+/// Throws std::invalid_argument(text). Compiled without exceptions (-fno-exceptions) it writes the text to standard
+/// error and ends the program: such callers check their arguments first. Kernels never come here.
 [[noreturn]] inline void refuse(const std::string& text) {
 #if defined(__cpp_exceptions) || defined(_CPPUNWIND)
   throw std::invalid_argument(text);

@@ -9,7 +9,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/zonal DESTINATION ${CMAKE_INSTAL
 
 configure_package_config_file(cmake/zonal-config.cmake.in zonal-config.cmake INSTALL_DESTINATION ${package_dir}
   PATH_VARS CMAKE_INSTALL_BINDIR)
-write_basic_package_version_file(zonal-config-version.cmake COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+configure_file(cmake/zonal-config-version.cmake.in zonal-config-version.cmake @ONLY)
 install(FILES
     ${CMAKE_CURRENT_BINARY_DIR}/zonal-config.cmake
     ${CMAKE_CURRENT_BINARY_DIR}/zonal-config-version.cmake

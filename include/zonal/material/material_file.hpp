@@ -131,7 +131,7 @@ inline MaterialTable load_material_table(const std::filesystem::path& path) {
   reader.check_the_end();
   const MaterialFileHeader& header = reader.header();
   return MaterialTable(header.bands, header.angles, header.achieved_error, std::move(with_cosine),
-                       std::move(without_cosine));
+                       MirroredRows(std::move(without_cosine)));
 }
 
 /// A fingerprint of a measured material's file, all its bytes, projected to `bands` bands within `tolerance`: 64 bits,

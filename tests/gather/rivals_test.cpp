@@ -360,6 +360,7 @@ TEST_CASE("gathers: no light, and lights in any place, of any size, seen from an
 TEST_CASE("furnace: in a closed white sphere every method keeps the energy, to the bias stated here") {
   const Material rough({{zonal::GgxBrdf{0.6F, zonal::SchlickFresnel{glm::vec3(1)}}}}, 21);
   const Material glossy({{zonal::GgxBrdf{0.25F, zonal::SchlickFresnel{glm::vec3(1)}}}}, 21);
+  const Material coated(zonal::coated({0.25F, zonal::DielectricFresnel{1.5F}}, glm::vec3(1)), 21);
   const auto lights = furnace(1600, materials().white.brdf, materials().white.table);
   const LightCache cache(lights);
   const zonal::HvlCache<1> hvl(lights);
@@ -388,6 +389,7 @@ TEST_CASE("furnace: in a closed white sphere every method keeps the energy, to t
       {rough, 0, {-.002, .002}, {-.005, .001}, {-.03, 0}, {-.01, .01}, {-.01, .01}, {-.01, .01}, {-.40, -.30}},
       {rough, 70, {-.002, .002}, {-.005, .001}, {-.04, 0}, {-.02, .01}, {-.01, .01}, {-.35, -.30}, {-.70, -.60}},
       {glossy, 0, {-.002, .002}, {-.005, .001}, {-.02, 0}, {-.06, .01}, {-.01, .02}, {-.01, .01}, {-.05, .01}},
+      {coated, 70, {-.01, .01}, {-.01, .01}, {-.06, 0}, {-.04, .01}, {-.01, .02}, {-.15, .01}, {-.40, -.20}},
       {glossy, 70, {-.01, .01}, {-.01, .01}, {-.06, 0}, {-.04, .01}, {-.01, .02}, {-.15, .01}, {-.40, -.20}},
   };
   for (const Row& row : rows) {

@@ -178,6 +178,17 @@ TEST_CASE("gather: lights below the receiver's horizon, or facing away, are exac
   CHECK(gather_one(turned, receiver_on_the_floor()) == glm::vec3(0));
 }
 
+TEST_CASE("gather: a light centred on the horizon is whole without the horizon's factor, and half of it with one") {
+  const float half_angle = 1;
+  const VirtualLight light = facing_light({3, 0, 0}, 3 * std::sin(half_angle), 5);
+  Surface receiver = receiver_on_the_floor();
+  receiver.material = &materials().white.table;
+  // E / pi of the upper half of the cap
+  const float exact = 5 * (half_angle - std::sin(half_angle) * std::cos(half_angle)) / float(pi);
+  CHECK(gather_at<3, 3, Horizon::none>(zonal::HvlCache<3>({light}), receiver).x == Catch::Approx(exact).epsilon(0.02));
+  CHECK(gather_at<5, 1>(zonal::HvlCache<1>({light}), receiver).x == Catch::Approx(0.5F * exact).epsilon(0.02));
+}
+
 TEST_CASE("gather: inside a light's sphere it is a hemisphere, without a step at the surface") {
   const auto at = [](float distance) {
     return gather_one(facing_light({0, 0, distance}, 1, 3), receiver_on_the_floor()).x;

@@ -189,7 +189,7 @@ TEST_CASE("a light of radius 0 is a point light to every method, at any distance
         CHECK(zonal::HvlCache<1>(lights).size() == cache.size());
         check_close(zonal::gather<21, 1>(zonal::HvlCache<1>(lights), receiver, materials().white.table), vpl, 5e-3);
         check_close(zonal::gather_hvl_zonal<5>(cache, receiver, zonal::project_zonal(materials().white.brdf, 5)), vpl,
-                    3e-2);
+                    5e-2);
       }
     }
   }
@@ -299,15 +299,14 @@ bool is_light(const glm::vec3& rgb) {
 }
 
 /// All five methods, on one light.
-void check_finite(const VirtualLight& light, const Receiver& receiver, const Material& material,
-                  const zonal::ZonalTable& table, Random& random) {
-  const zonal::Brdf& brdf = material.brdf;
+void check_finite(const VirtualLight& light, const Receiver& receiver, const zonal::ZonalTable& table, Random& random) {
+  const zonal::Brdf& brdf = *light.brdf;
   const LightCache cache({light});
   const glm::vec3 vpl = gather_vpl(cache, receiver, brdf), clamped = gather_vpl(cache, receiver, brdf, 1);
   const glm::vec3 vsl = gather_vsl(cache, receiver, brdf, 9, random);
   const glm::vec3 zonal = zonal::gather_hvl_zonal<9>(cache, receiver, table);
   const glm::vec3 hvl =
-      zonal::gather<5, 3, zonal::Horizon::none>(zonal::HvlCache<3>({light}), receiver, material.table);
+      zonal::gather<5, 3, zonal::Horizon::none>(zonal::HvlCache<3>({light}), receiver, *light.material);
   const glm::vec3 vsgl = gather_vsgl(zonal::GaussianCache(zonal::make_gaussian_lights(&light, 1, 1)), receiver, brdf);
   CAPTURE(light.radius, light.position.x, light.position.y, light.position.z, light.normal.z, receiver.outgoing.x,
           receiver.outgoing.z, vpl.x, clamped.x, vsl.x, zonal.x, hvl.x, vsgl.x);
@@ -324,17 +323,18 @@ TEST_CASE("gathers: no light, and lights in any place, of any size, seen from an
                               {-1, 0, down}, {0.6F, 0, -0.8F}, {1, 0, 0}};
   const zonal::Fresnel dielectric = zonal::DielectricFresnel{1.5F}, schlick = zonal::SchlickFresnel{glm::vec3(0.04F)},
                        metal = zonal::ConductorFresnel{glm::vec3(0.2F), glm::vec3(3)};
-  const Material list[] = {
-      materials().plastic,
-      Material({{zonal::GgxBrdf{0.001F, dielectric}}}),
-      Material({{zonal::GgxBrdf{1.0F, metal}}}),
-      Material({{zonal::PhongBrdf{glm::vec3(0.5F), 0}}}),
-      Material({{zonal::PhongBrdf{glm::vec3(0.5F), 1e6F}}}),
-      Material(zonal::coated({0.02F, schlick}, glm::vec3(1))),
+  const zonal::Brdf list[] = {
+      materials().plastic.brdf,
+      {{zonal::GgxBrdf{0.001F, dielectric}}},
+      {{zonal::GgxBrdf{1.0F, metal}}},
+      {{zonal::PhongBrdf{glm::vec3(0.5F), 0}}},
+      {{zonal::PhongBrdf{glm::vec3(0.5F), 1e6F}}},
+      zonal::coated({0.02F, schlick}, glm::vec3(1)),
   };
   Random random(38);
-  for (const Material& material : list) {
-    const auto table = zonal::project_zonal(material.brdf, 9);
+  for (const zonal::Brdf& brdf : list) {
+    const zonal::ZonalTable zonal_table = zonal::project_zonal(brdf, 9, 1.0);  // any numbers will do
+    const zonal::MaterialTable table = zonal::project_material(brdf, 5, 1.0);
     for (const glm::vec3& eye : eyes) {
       const Receiver receiver{{0, 0, 0}, {0, 0, 1}, glm::normalize(eye)};
       for (const glm::vec3& place : places) {
@@ -345,8 +345,9 @@ TEST_CASE("gathers: no light, and lights in any place, of any size, seen from an
             light.normal = light.to_primary = -place;
             light.flux = glm::vec3(3, 2, 1);
             light.radius = radius;
-            set_material(light, material);
-            check_finite(light, receiver, material, table, random);
+            light.brdf = &brdf;
+            light.material = &table;
+            check_finite(light, receiver, zonal_table, random);
           }
         }
       }
@@ -389,7 +390,7 @@ TEST_CASE("furnace: in a closed white sphere every method keeps the energy, to t
       {rough, 0, {-.002, .002}, {-.005, .001}, {-.03, 0}, {-.01, .01}, {-.01, .01}, {-.01, .01}, {-.40, -.30}},
       {rough, 70, {-.002, .002}, {-.005, .001}, {-.04, 0}, {-.02, .01}, {-.01, .01}, {-.35, -.30}, {-.70, -.60}},
       {glossy, 0, {-.002, .002}, {-.005, .001}, {-.02, 0}, {-.06, .01}, {-.01, .02}, {-.01, .01}, {-.05, .01}},
-      {coated, 70, {-.01, .01}, {-.01, .01}, {-.06, 0}, {-.04, .01}, {-.01, .02}, {-.15, .01}, {-.40, -.20}},
+      {coated, 70, {-.01, .01}, {-.01, .01}, {-.06, 0}, {-.04, .01}, {-.01, .02}, {.02, .06}, {-.15, -.10}},
       {glossy, 70, {-.01, .01}, {-.01, .01}, {-.06, 0}, {-.04, .01}, {-.01, .02}, {-.15, .01}, {-.40, -.20}},
   };
   for (const Row& row : rows) {

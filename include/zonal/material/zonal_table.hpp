@@ -59,6 +59,23 @@ Zh<N, glm::dvec3> project_mirror_lobe(const F& brdf, double cos_outgoing, double
   }
 }
 
+/// The same by a quadrature of the BRDF's own.
+template <int N>
+Zh<N, glm::dvec3> project_mirror_lobe(const BrdfNodes& nodes, double cos_outgoing, double tolerance) {
+  const double sin_outgoing = std::sqrt((1.0 - cos_outgoing) * (1.0 + cos_outgoing));
+  const glm::dvec3 wo(sin_outgoing, 0.0, cos_outgoing), mirror(-sin_outgoing, 0.0, cos_outgoing);
+  const auto at_level = [&](int level) {
+    Zh<N, glm::dvec3> sum{};
+    nodes(wo, level, [&](const glm::dvec3& wi, const glm::dvec3& weighted) {
+      evaluate_zonal<N>(std::clamp(glm::dot(wi, mirror), -1.0, 1.0),
+                        [&](auto l, double y) { sum.values[l] += weighted * y; });
+    });
+    return sum;
+  };
+  const auto movement = [](const auto& coarse, const auto& fine) { return relative_movement(coarse, fine); };
+  return refine_nodes(tolerance, at_level, movement).first;
+}
+
 }  // namespace detail
 
 /// The diffuse albedo of a material, by outgoing angle where another lobe takes of the light before, and the zonal
@@ -110,17 +127,17 @@ class ZonalTable {
 /// project_material for the tolerance.
 template <class ForEach = SerialForEach>
 ZonalTable project_zonal(const Brdf& brdf, int bands, double tolerance = 1e-4, ForEach&& for_each = {}) {
+  constexpr int all_bands = ZonalTable::max_bands;
   const glm::vec3 diffuse = diffuse_albedo(brdf);
-  Brdf glossy, bodies;
-  for (const BrdfLobe& lobe : brdf.lobes) {
-    if (std::holds_alternative<ResidualBrdf>(lobe)) bodies.lobes.push_back(lobe);
-    if (!is_diffuse(lobe)) glossy.lobes.push_back(lobe);
+  Brdf glossy, by_nodes, bodies;
+  for (const BrdfLobe& lobe : glossy_part(brdf).lobes) {
+    (is_diffuse(lobe) ? bodies : detail::has_own_nodes(lobe) ? by_nodes : glossy).lobes.push_back(lobe);
   }
   std::vector<glm::vec3> albedos;
   for (int angle = 0; !bodies.lobes.empty() && angle < ZonalTable::max_angles; ++angle) {
     albedos.push_back(diffuse_albedo(bodies, float(std::cos(double(kPi) / 180.0 * angle))));
   }
-  if (glossy.lobes.empty()) return {diffuse, bands, {}, std::move(albedos)};
+  if (glossy.lobes.empty() && by_nodes.lobes.empty()) return {diffuse, bands, {}, std::move(albedos)};
 
   bands = std::clamp(bands, 1, ZonalTable::max_bands);
   std::vector<glm::vec3> rows(std::size_t(ZonalTable::max_angles * bands));
@@ -128,8 +145,14 @@ ZonalTable project_zonal(const Brdf& brdf, int bands, double tolerance = 1e-4, F
   const ProjectionQuadrature quadrature;
   for_each(ZonalTable::max_angles, [&](int angle) {
     const double cos_outgoing = std::cos(double(kPi) / 180.0 * angle);
-    const auto lobe = detail::project_mirror_lobe<ZonalTable::max_bands>(function, cos_outgoing, tolerance, quadrature);
-    for (int l = 0; l < bands; ++l) rows[std::size_t(angle * bands + l)] = glm::vec3(lobe[l]);
+    Zh<all_bands, glm::dvec3> sum{};
+    if (!glossy.lobes.empty()) {
+      sum += detail::project_mirror_lobe<all_bands>(function, cos_outgoing, tolerance, quadrature);
+    }
+    for (const BrdfLobe& lobe : by_nodes.lobes) {
+      sum += detail::project_mirror_lobe<all_bands>(*std::get<MeasuredBrdf>(lobe).nodes, cos_outgoing, tolerance);
+    }
+    for (int l = 0; l < bands; ++l) rows[std::size_t(angle * bands + l)] = glm::vec3(sum[l]);
   });
   return {diffuse, bands, std::move(rows), std::move(albedos)};
 }

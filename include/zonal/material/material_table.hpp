@@ -61,7 +61,7 @@ class MirroredRows {
   static MirroredRows from_upper_hemisphere(std::vector<glm::vec3> rows, int bands) {
     auto coefficient = rows.begin();
     while (coefficient != rows.end()) {
-      for (int l = 0; l < bands; ++l) {
+      for (int l = 0; l < (std::max)(bands, 1); ++l) {
         for (int m = 0; m <= l && coefficient != rows.end(); ++m) {
           *coefficient++ *= is_even_in_z(l, m) ? 2.0F : 0.0F;
         }

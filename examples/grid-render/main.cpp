@@ -78,7 +78,8 @@ class PictureRenderer {
 
   void shade(Pass& pass, const LightField& field, const PrimaryHits& hits) {
     const auto radiance = [&](const Hit& hit, std::size_t) {
-      return field.reflected(hit, towards_camera(scene_, hit), reflectors_[hit.material]);
+      return scene_.materials[hit.material].emission +
+             field.reflected(hit, towards_camera(scene_, hit), reflectors_[hit.material]);
     };
     StageTimes times;
     times.time(pass.name, [&] { add_radiance(pass.picture, hits, stage(pass.name.c_str(), cost_of(pass)), radiance); });

@@ -128,7 +128,8 @@ class SliceRenderer {
 
   void add_direct_light(Image& image, const PrimaryHits& hits) {
     const auto radiance = [&](const Hit& hit, std::size_t) {
-      return direct_radiance(renderers_.scene, renderers_.caster, hit, towards_camera(renderers_.scene, hit));
+      return renderers_.scene.materials[hit.material].emission +
+             direct_radiance(renderers_.scene, renderers_.caster, hit, towards_camera(renderers_.scene, hit));
     };
     report_.times.time(stage_name::direct,
                        [&] { add_radiance(image, hits, stage(stage_name::direct, costs_.direct), radiance); });

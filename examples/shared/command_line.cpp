@@ -127,7 +127,11 @@ void add_scene_options(CLI::App& app, CommonOptions& options) {
       ->capture_default_str()
       ->group(scene_group);
   app.add_flag_callback(
-         "--no-stage", [&options] { options.stage = false; }, "Show an OBJ alone, not on a floor before two walls")
+         "--no-stage", [&options] { options.obj.stage = false; }, "Show an OBJ alone, not on a floor before two walls")
+      ->group(scene_group);
+  add_choice(app, "--up", up_names, options.obj.up, "Which axis of an OBJ points up; it becomes y")->group(scene_group);
+  add_choice(app, "--view", place_names, options.obj.place,
+             "Where an OBJ is seen from; auto is from inside where it is a room")
       ->group(scene_group);
   CameraOverrides& camera = options.camera;
   add_point(app, "--camera", camera.position, "Where the camera is, in metres; y is up")->group(scene_group);

@@ -5,12 +5,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -18,16 +16,9 @@
 
 #include "common_options.hpp"
 #include "names.hpp"
+#include "numbers.hpp"
 
 namespace example {
-
-/// The whole text as one number.
-template <class Number>
-bool parse_number(const std::string& text, Number& number) {
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  return error == std::errc() && stop == end && !text.empty();
-}
 
 /// As many numbers as asked for, and nothing else, with a separator between them.
 template <class Number, std::size_t Count>

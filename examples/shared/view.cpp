@@ -10,7 +10,7 @@ Scene open_scene(const CommonOptions& options) {
     if (options.scene == name) return make_atrium(finish);
   }
   if (options.scene == "furnace") return make_furnace();
-  return load_obj(options.scene, options.stage);
+  return load_obj(options.scene, options.obj);
 }
 
 void apply(const CameraOverrides& overrides, Camera& camera) {

@@ -98,6 +98,7 @@ void finish(Report& report) {
   std::vector<Image*> pictures;
   for (Pass& pass : report.passes) pictures.push_back(&pass.picture);
   report.counts.pixels_not_finite = repair(program_name, pictures);
+  warn_if_black(program_name, report.passes.front().picture, report.counts.primary_hits);
   for (Comparison& comparison : report.comparisons) {
     const Image& reference = report.passes[comparison.reference].picture;
     comparison.errors = compare(report.passes[comparison.picture].picture, reference, report.options.display);

@@ -168,7 +168,8 @@ bool add_quadrilateral(std::span<const glm::dvec3> p, const glm::dvec3& normal, 
   };
   const double first = std::min(area(0, 1, 2), area(0, 2, 3)), second = std::min(area(0, 1, 3), area(1, 2, 3));
   const bool both = std::min(first, second) > tolerance;
-  const bool shorter = glm::distance(p[0], p[2]) <= glm::distance(p[1], p[3]);
+  // Rounded coordinates must not choose between equal ones.
+  const bool shorter = glm::distance(p[0], p[2]) <= (1.0 + 1e-6) * glm::distance(p[1], p[3]);
   if (both ? shorter : first >= second) {
     triangles.push_back({0, 1, 2});
     triangles.push_back({0, 2, 3});

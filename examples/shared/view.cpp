@@ -1,5 +1,7 @@
 #include "view.hpp"
 
+#include <algorithm>
+
 #include "input_error.hpp"
 #include "names.hpp"
 
@@ -13,11 +15,16 @@ Scene open_scene(const CommonOptions& options) {
   return load_obj(options.scene, options.obj);
 }
 
+bool is_same_point(const glm::vec3& a, const glm::vec3& b) {
+  const double size = std::max({glm::length(glm::dvec3(a)), glm::length(glm::dvec3(b)), 1e-6});
+  return glm::distance(glm::dvec3(a), glm::dvec3(b)) <= 1e-6 * size;
+}
+
 void apply(const CameraOverrides& overrides, Camera& camera) {
   camera.position = overrides.position.value_or(camera.position);
   camera.target = overrides.target.value_or(camera.target);
   camera.vertical_field_of_view = overrides.vertical_field_of_view.value_or(camera.vertical_field_of_view);
-  if (camera.position == camera.target) throw InputError("--camera and --target are the same point");
+  if (is_same_point(camera.position, camera.target)) throw InputError("--camera and --target are the same point");
 }
 
 }  // namespace example

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/gtc/constants.hpp>
@@ -19,6 +21,9 @@ namespace example {
 namespace {
 
 constexpr glm::vec3 up(0.0f, 1.0f, 0.0f);
+
+// A cone that falls off nearly as the cosine, as a flat lamp's light does.
+constexpr float lamp_half_angle = 88.0f, lamp_edge = 0.97f;
 
 /// White surfaces that face the light at its distance reflect a radiance of about 1.
 glm::vec3 intensity_for(float distance) { return glm::vec3(glm::pi<float>() * distance * distance); }
@@ -134,10 +139,10 @@ float openness(const RayCaster& caster, const Camera& camera, float radius) {
             rays.direction(static_cast<float>(i % columns) + 0.5f, static_cast<float>(i / columns) + 0.5f));
     sum += std::log(seen.to_front ? std::clamp(seen.length / radius, 1e-3f, 1.0f) : 1e-3f);
   }
-  return sum;
+  return sum / (columns * rows);
 }
 
-/// From one end along an axis, where most is seen.
+/// From one end along an axis, where most is seen; from the middle of that end unless much stands there.
 void stand_inside(Scene& scene, const RayCaster& caster, const Bounds& bounds) {
   constexpr std::array<float, 4> from_end{0.02f, 0.1f, 0.2f, 0.35f};
   constexpr std::array<float, 3> beside{0.5f, 0.35f, 0.65f}, heights{0.5f, 0.4f, 0.6f};
@@ -152,8 +157,9 @@ void stand_inside(Scene& scene, const RayCaster& caster, const Bounds& bounds) {
           Camera camera;
           camera.position = at_share(bounds, share);
           camera.target = camera.position + forward * bounds.radius();
-          camera.vertical_field_of_view = glm::radians(62.0f);
-          const float score = openness(caster, camera, 4.0f * bounds.radius());
+          camera.vertical_field_of_view = glm::radians(70.0f);
+          const float off_middle = behind + std::abs(height - 0.5f) + std::abs(aside - 0.5f);
+          const float score = openness(caster, camera, 4.0f * bounds.radius()) - 2.0f * off_middle;
           if (score <= best + 1e-4f) continue;
           best = score;
           scene.camera = camera;
@@ -178,8 +184,8 @@ void hang_light(Scene& scene, const RayCaster& caster, const Bounds& bounds, con
   const float distance = free_way(caster, place, -up, 2.0f * most);
   scene.light.position = place;
   scene.light.axis = -up;
-  scene.light.half_angle = glm::radians(80.0f);
-  scene.light.edge = 0.9f;
+  scene.light.half_angle = glm::radians(lamp_half_angle);
+  scene.light.edge = lamp_edge;
   scene.light.intensity = intensity_for(distance);
   const auto half = [&](const glm::vec3& axis) {
     return 0.6f * std::min(free_way(caster, place, axis, most), free_way(caster, place, -axis, most)) * axis;
@@ -263,8 +269,8 @@ void light_by_emission(Scene& scene, const RayCaster& caster, const Bounds& boun
   const glm::vec3 emission = scene.materials[best->material].emission;
   scene.light.position = place_before(axis);
   scene.light.axis = axis;
-  scene.light.half_angle = glm::radians(80.0f);
-  scene.light.edge = 0.9f;
+  scene.light.half_angle = glm::radians(lamp_half_angle);
+  scene.light.edge = lamp_edge;
   const float distance = room_before(axis);
   scene.light.intensity = intensity_for(distance) * emission / std::max({emission.r, emission.g, emission.b});
   // As bright to the eye as a panel of its area that shines like that.

@@ -90,7 +90,15 @@ std::string number(double value) {
   return text;
 }
 
-std::string vertex(const glm::dvec3& p) { return "v " + number(p.x) + " " + number(p.y) + " " + number(p.z) + "\n"; }
+// By append, since g++ 12 warns wrongly of a text plus a temporary string.
+std::string vertex(const glm::dvec3& p) {
+  std::string text = "v";
+  for (int axis = 0; axis < 3; ++axis) text.append(" ").append(number(p[axis]));
+  return text.append("\n");
+}
+
+/// A corner of a face, after a blank.
+std::string corner(int index) { return std::string(" ").append(std::to_string(index)); }
 
 }  // namespace
 
@@ -251,7 +259,7 @@ TEST_CASE("obj: concave faces have Newell's area, in all of a file's forms") {
     for (int i = 0; i < corners; ++i) {
       const double angle = 2.0 * pi * i / corners, r = i % 2 == 0 ? 1.0 : 0.5;
       text += vertex({r * std::cos(angle), 3.0, r * std::sin(angle)});
-      face += " " + std::to_string(i + 1);
+      face += corner(i + 1);
     }
     const double expected = 0.5 * corners * std::sin(2.0 * pi / corners) * 0.5;
     CAPTURE(corners);
@@ -275,8 +283,13 @@ TEST_CASE("obj: far from the origin, tiny or huge is the same scene elsewhere") 
     }
     for (int i = 0; i < 8; ++i) {
       for (int j = 0; j < 16; ++j) {
-        const auto at = [&](int a, int b) { return " " + std::to_string(16 * a + b % 16 + 1); };
-        obj += "f" + at(i, j) + at(i, j + 1) + at(i + 1, j + 1) + at(i + 1, j) + "\n";
+        const auto at = [&](int a, int b) { return corner(16 * a + b % 16 + 1); };
+        obj.append("f")
+            .append(at(i, j))
+            .append(at(i, j + 1))
+            .append(at(i + 1, j + 1))
+            .append(at(i + 1, j))
+            .append("\n");
       }
     }
     return obj;
@@ -295,14 +308,16 @@ TEST_CASE("obj: far from the origin, tiny or huge is the same scene elsewhere") 
     const Scene scene = load(text(origin, scale));
     CAPTURE(origin.x, scale, all_warnings(scene));
     REQUIRE(scene.mesh.triangles.size() == near.mesh.triangles.size());
-    const auto corner = [](const Mesh& mesh, std::size_t i) { return mesh.triangles[i / 3][static_cast<int>(i % 3)]; };
+    const auto vertex_at = [](const Mesh& mesh, std::size_t i) {
+      return mesh.triangles[i / 3][static_cast<int>(i % 3)];
+    };
     const double size = static_cast<double>(bounds_of(scene.mesh).radius() / bounds_of(near.mesh).radius());
-    const glm::vec3 moved = scene.mesh.positions[corner(scene.mesh, 0)] -
-                            static_cast<float>(size) * near.mesh.positions[corner(near.mesh, 0)];
+    const glm::vec3 moved = scene.mesh.positions[vertex_at(scene.mesh, 0)] -
+                            static_cast<float>(size) * near.mesh.positions[vertex_at(near.mesh, 0)];
     // What is left of the coordinates' digits: 1e-16 of them, or a float's in the scene.
     const double tolerance = size * (4e-6 + 1e-15 * glm::length(origin) / scale);
     for (std::size_t i = 0; i < 3 * near.mesh.triangles.size(); ++i) {
-      const std::uint32_t here = corner(scene.mesh, i), there = corner(near.mesh, i);
+      const std::uint32_t here = vertex_at(scene.mesh, i), there = vertex_at(near.mesh, i);
       const glm::vec3 expected = static_cast<float>(size) * near.mesh.positions[there] + moved;
       REQUIRE(static_cast<double>(glm::distance(scene.mesh.positions[here], expected)) <= tolerance);
       REQUIRE(glm::distance(scene.mesh.normals[here], near.mesh.normals[there]) < 1e-4f);
@@ -330,7 +345,7 @@ std::string pole(int faces, double height) {
   std::string text = vertex({0.0, height, 0.0});
   for (int i = 0; i < faces; ++i) text += vertex({std::cos(2.0 * pi * i / faces), 0.0, std::sin(2.0 * pi * i / faces)});
   for (int i = 0; i < faces; ++i) {
-    text += "f 1 " + std::to_string((i + 1) % faces + 2) + " " + std::to_string(i + 2) + "\n";
+    text.append("f 1").append(corner((i + 1) % faces + 2)).append(corner(i + 2)).append("\n");
   }
   return text;
 }
@@ -384,8 +399,10 @@ TEST_CASE("obj: normals are creased at 60 degrees, and a pole of many faces take
   for (const bool off : {false, true}) {
     std::string text = pole(5000, 0.2), grouped;
     int group = 0;
-    for (const char c : text)
-      grouped += c == 'f' ? "s " + (off ? "off" : std::to_string(++group)) + "\nf" : std::string(1, c);
+    for (const char c : text) {
+      if (c == 'f') grouped.append("s").append(off ? " off" : corner(++group)).append("\n");
+      grouped += c;
+    }
     const Scene scene = load(grouped, {}, alone());
     for (std::size_t t = 0; t < scene.mesh.triangles.size(); t += 97) {
       const glm::vec3 flat = glm::normalize(area_of(scene.mesh, t));
@@ -407,7 +424,7 @@ std::string box(const glm::dvec3& size, bool inwards, const std::string& without
     if (contains(without, name)) continue;
     if (inwards) std::reverse(corners.begin(), corners.end());
     text += "f";
-    for (const int corner : corners) text += " " + std::to_string(corner);
+    for (const int index : corners) text += corner(index);
     text += "\n";
   }
   return text;

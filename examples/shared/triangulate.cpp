@@ -17,6 +17,9 @@ constexpr double negligible = 1e-9;
 double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) { return cross(b - a, c - b); }
 
+/// Does b turn left of a? Not where both go the same way, whatever rounding or a fused product leaves there.
+bool is_left(const glm::dvec2& a, const glm::dvec2& b) { return cross(a, b) > 1e-12 * glm::length(a) * glm::length(b); }
+
 /// In the polygon's plane, counterclockwise, about its first corner.
 std::vector<glm::dvec2> flattened(std::span<const glm::dvec3> corners, const glm::dvec3& normal) {
   const glm::dvec3 other = std::abs(normal.x) < 0.6 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
@@ -135,7 +138,7 @@ class EarClipper {
       const glm::dvec2 ahead = points_[ear[(i + 1) % 3]] - corner, behind = points_[ear[(i + 2) % 3]] - corner;
       for (const std::size_t neighbour : {previous_[k], next_[k]}) {
         const glm::dvec2 way = points_[neighbour] - corner;
-        if (cross(ahead, way) > 0.0 && cross(way, behind) > 0.0) return true;
+        if (is_left(ahead, way) && is_left(way, behind)) return true;
       }
       return false;
     }

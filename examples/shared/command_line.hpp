@@ -13,12 +13,18 @@
 
 #include <CLI/CLI.hpp>
 #include <glm/glm.hpp>
+#include <zonal/file/number_text.hpp>
 
 #include "common_options.hpp"
 #include "names.hpp"
-#include "numbers.hpp"
 
 namespace example {
+
+/// The whole text as one number.
+template <class Number>
+bool parse_number(const std::string& text, Number& number) {
+  return zonal::parse_number(text, number);
+}
 
 /// As many numbers as asked for, and nothing else, with a separator between them.
 template <class Number, std::size_t Count>

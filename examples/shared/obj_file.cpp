@@ -11,8 +11,9 @@
 #include <string_view>
 #include <utility>
 
+#include <zonal/file/number_text.hpp>
+
 #include "input_error.hpp"
-#include "numbers.hpp"
 #include "statements.hpp"
 #include "triangulate.hpp"
 
@@ -210,7 +211,7 @@ class ObjReader {
     const std::size_t slash = word.find('/'), second = word.find('/', std::min(slash, word.size() - 1) + 1);
     const auto number = [](std::string_view text) {
       std::int64_t value = 0;
-      return parse_number(text, value) ? value : 0;
+      return zonal::parse_number(text, value) ? value : 0;
     };
     const auto place = [](std::int64_t index, std::size_t count) {
       return index < 0 ? index + static_cast<std::int64_t>(count) : index - 1;

@@ -5,8 +5,9 @@
 #include <fstream>
 #include <iterator>
 
+#include <zonal/file/number_text.hpp>
+
 #include "input_error.hpp"
-#include "numbers.hpp"
 
 namespace example {
 namespace {
@@ -39,7 +40,7 @@ std::string_view name_without_comment(std::string_view text) {
 std::optional<double> number_in(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);
   double value = 0.0;
-  if (!parse_number(word, value) || !std::isfinite(value)) return std::nullopt;
+  if (!zonal::parse_number(word, value) || !std::isfinite(value)) return std::nullopt;
   return value;
 }
 

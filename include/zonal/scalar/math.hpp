@@ -27,10 +27,10 @@ inline constexpr long double arcsine_coefficient<0> = 1;
 
 // pi/2 in two parts, of which the first is a T.
 template <class T>
-inline constexpr lane_t<T> half_pi_high = static_cast<lane_t<T>>(static_cast<long double>(kHalfPiDouble) + kHalfPiRest);
+inline constexpr lane_t<T> half_pi_high = static_cast<lane_t<T>>(kHalfPiDouble + kHalfPiRest);
 template <class T>
 inline constexpr long double half_pi_low =
-    (static_cast<long double>(kHalfPiDouble) - static_cast<long double>(half_pi_high<T>)) + kHalfPiRest;
+    (kHalfPiDouble - static_cast<long double>(half_pi_high<T>)) + kHalfPiRest;
 
 // 1 / k!, rounded once: k! is exact as far as it matters.
 constexpr long double factorial(int k) { return k < 2 ? 1 : k * factorial(k - 1); }
@@ -57,7 +57,8 @@ ZONAL_INLINE constexpr IfNotInteger<T, T> asin(const T& x) {
     sum = sum * s2 + T(coefficient);
   });
   const T tail = s * (s2 * sum);
-  constexpr auto high = rounded<T>(detail::half_pi_high<T>), low = rounded<T>(detail::half_pi_low<T>);
+  constexpr auto high = rounded<T>(static_cast<long double>(detail::half_pi_high<T>));
+  constexpr auto low = rounded<T>(detail::half_pi_low<T>);
   const T large = (T(high) - (s + s)) - (tail + tail - T(low));
   const T result = select(is_large, large, s + tail);
   return select(x < T(0), -result, result);

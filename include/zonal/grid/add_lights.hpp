@@ -41,7 +41,7 @@ constexpr bool is_numbers() {
   if constexpr (std::is_void_v<Wide>) {
     return false;
   } else {
-    return std::is_trivially_copyable_v<Light> && std::is_trivially_copyable_v<Wide> &&
+    return std::is_standard_layout_v<Light> && std::is_standard_layout_v<Wide> &&
            std::is_default_constructible_v<Wide> && sizeof(Wide) / sizeof(Lanes) * sizeof(float) == sizeof(Light) &&
            sizeof(Wide) % sizeof(Lanes) == 0;
   }
@@ -59,7 +59,8 @@ struct LightGroup {
       constexpr std::size_t count = sizeof(Light) / sizeof(float);
       constexpr auto held = static_cast<std::size_t>(size);
       float numbers[held][count];
-      for (std::size_t i = 0; i < held; ++i) std::memcpy(numbers[i], lights[i], sizeof numbers[i]);
+      for (std::size_t i = 0; i < held; ++i)
+        std::memcpy(numbers[i], static_cast<const void*>(lights[i]), sizeof numbers[i]);
       Lanes lanes[count];
       for (std::size_t n = 0; n < count; ++n) {
         float block[held];
@@ -67,7 +68,7 @@ struct LightGroup {
         lanes[n] = Lanes::template blocks<size>(block);
       }
       typename WideLightOf<Light, Lanes>::Type wide;
-      std::memcpy(&wide, lanes, sizeof wide);
+      std::memcpy(static_cast<void*>(&wide), lanes, sizeof wide);
       return wide;
     } else {
       return *lights[0];
@@ -128,10 +129,13 @@ void add_lights(CoefficientGrid<N>& grid, const std::vector<ColouredLight<Direct
     const Sh<N, float> sh = evaluate<N>(light.direction);
     for (int i = 0; i < N * N; ++i) sum[i] += sh[i] * colour;
   }
-  for_each(static_cast<int>(grid.vertex_count()), [&](int vertex) {
-    float* value = grid.data() + static_cast<std::size_t>(vertex) * CoefficientGrid<N>::vertex_size;
-    for (int i = 0; i < N * N; ++i) {
-      for (int c = 0; c < 3; ++c) value[3 * i + c] += sum[i][c];
+  for_each(detail::vertex_packet_count(grid), [&](int packet) {
+    const detail::VertexPacket<N> vertices(grid, static_cast<std::size_t>(packet));
+    for (std::size_t vertex = vertices.first; vertex < vertices.first + vertices.count; ++vertex) {
+      float* value = grid.data() + vertex * CoefficientGrid<N>::vertex_size;
+      for (int i = 0; i < N * N; ++i) {
+        for (int c = 0; c < 3; ++c) value[3 * i + c] += sum[i][c];
+      }
     }
   });
 }

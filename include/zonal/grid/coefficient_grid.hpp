@@ -10,31 +10,17 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "../basis/gradient.hpp"
+#include "../scalar/refuse.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
-
-namespace detail {
-// An error of set-up: an exception, or, where there are none, the end.
-[[noreturn]] inline void refuse(const std::string& why) {
-#if defined(__cpp_exceptions) || defined(_CPPUNWIND)
-  throw std::invalid_argument(why);
-#else
-  std::fprintf(stderr, "%s\n", why.c_str());
-  std::abort();
-#endif
-}
-}  // namespace detail
 
 /// N bands of RGB coefficients and their gradients, per unit of length, at resolution.x * .y * .z vertices, the
 /// outermost on the faces of the box from `low` to `high`. 48 N*N bytes per vertex, and no more. Vertices are named by
@@ -48,8 +34,8 @@ class CoefficientGrid {
   static constexpr int vertex_size = block_count * block_size;
 
   /// All coefficients 0. Throws std::invalid_argument unless the box is finite, low < high on every axis, and there are
-  /// at least 2 vertices on each, few enough to lie apart in float. Where exceptions are disabled it ends the program:
-  /// ask what_is_wrong first.
+  /// at least 2 vertices on each, few enough to lie apart in float; without exceptions it ends the program
+  /// (refuse.hpp), so ask what_is_wrong first.
   CoefficientGrid(const glm::vec3& low, const glm::vec3& high, const glm::ivec3& resolution)
       : low_(low), high_(high), resolution_(resolution) {
     const std::string wrong = what_is_wrong(low, high, resolution);

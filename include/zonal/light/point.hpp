@@ -53,7 +53,7 @@ struct SpotLight {
   }
   template <class R>
   ZONAL_INLINE constexpr Modulation<R> modulation(const Sight<R>& sight) const {
-    constexpr long double epsilon = static_cast<long double>(std::numeric_limits<lane_t<R>>::epsilon());
+    constexpr auto epsilon = rounded<R>(static_cast<long double>(std::numeric_limits<lane_t<R>>::epsilon()));
     const R a[3] = {R(axis[0]), R(axis[1]), R(axis[2])};
     const R* w = sight.direction;
     const R cosine = maximum(-detail::dot3(sight.direction, a), R(-1));  // rounded, it may leave a cone of all
@@ -75,11 +75,11 @@ struct DirectionalLight {
 };
 
 template <int N, class T>
-Sh<N, T> project(const DirectionalLight<T>& light, const glm::vec<3, T>&) {
+ZONAL_DEVICE Sh<N, T> project(const DirectionalLight<T>& light, const glm::vec<3, T>&) {
   return evaluate<N>(light.direction);
 }
 template <int N, class T>
-ShGradient<N, T> project_with_gradient(const DirectionalLight<T>& light, const glm::vec<3, T>&) {
+ZONAL_DEVICE ShGradient<N, T> project_with_gradient(const DirectionalLight<T>& light, const glm::vec<3, T>&) {
   return {evaluate<N>(light.direction), {}};
 }
 

@@ -57,16 +57,14 @@ template <class T>
 struct Sight {
   T direction[3], distance, inverse_distance;
 
-  /// 1/d^3 at the least distance is finite, with a quarter of the exponents to spare; and so is d^2 at the greatest
-  /// coordinate: 2.3e-10 and 4.6e18 in float, 8.6e-78 and 8.4e152 in double.
-  static constexpr long double least_distance = detail::power_of_two(-std::numeric_limits<lane_t<T>>::max_exponent / 4);
-  static constexpr long double most_coordinate =
-      detail::power_of_two(std::numeric_limits<lane_t<T>>::max_exponent / 2 - 2);
-
-  /// (x, y, z) leads from the receiver to the centre. A receiver at the very centre, nearer than the least distance,
-  /// has no direction; it is given +z and that distance. Coordinates beyond the greatest count as that.
+  /// (x, y, z) leads from the receiver to the centre. A receiver at the very centre has no direction; it is given +z,
+  /// and the least distance, where 1/d^3 is finite with a quarter of the exponents to spare: 2.3e-10 in float, 8.6e-78
+  /// in double. Coordinates beyond 4.6e18 or 3.3e153, whose squares would not be finite, count as that.
   ZONAL_INLINE static constexpr Sight to(const T& x, const T& y, const T& z) {
-    const T most = T(most_coordinate), least = T(least_distance * least_distance);
+    constexpr int exponents = std::numeric_limits<lane_t<T>>::max_exponent;
+    constexpr auto greatest = rounded<T>(detail::power_of_two(exponents / 2 - 2));
+    constexpr auto least_square = rounded<T>(detail::power_of_two(-exponents / 2));
+    const T most = T(greatest), least = T(least_square);
     const T v[3] = {clamp(x, -most, most), clamp(y, -most, most), clamp(z, -most, most)};
     const T square = detail::dot3(v, v);
     const auto is_at_centre = square < least;
@@ -114,8 +112,8 @@ ZONAL_INLINE constexpr void project_radial(const Zh<N, T>& factors, const Sight<
 
 /// The same with the gradient by the receiver's position: sink(l, m, value, d/dx, d/dy, d/dz).
 template <int N, class T, class Sink>
-ZONAL_INLINE constexpr void project_radial_with_gradient(const RadialProfile<N, T>& profile, const Sight<T>& sight,
-                                                         Sink&& sink) {
+ZONAL_DEVICE ZONAL_INLINE constexpr void project_radial_with_gradient(const RadialProfile<N, T>& profile,
+                                                                      const Sight<T>& sight, Sink&& sink) {
   const T* w = sight.direction;
   Sh<N, T> basis;
   detail::evaluate_into(basis, w[0], w[1], w[2]);
@@ -179,7 +177,7 @@ ZONAL_INLINE constexpr void project_with_gradient(const Light& light, const T& x
 
 /// Coefficients at the receiver x, for a light of unit radiance or intensity (each light says which).
 template <int N, class Light, class T>
-Sh<N, T> project(const Light& light, const glm::vec<3, T>& x) {
+ZONAL_DEVICE Sh<N, T> project(const Light& light, const glm::vec<3, T>& x) {
   Sh<N, T> sh;
   project<N>(light, x[0], x[1], x[2],
              [&](auto l, auto m, const T& value) ZONAL_INLINE { sh.values[sh_index(l, m)] = value; });
@@ -188,7 +186,7 @@ Sh<N, T> project(const Light& light, const glm::vec<3, T>& x) {
 
 /// The same, and their gradient by the receiver's position, per unit of length.
 template <int N, class Light, class T>
-ShGradient<N, T> project_with_gradient(const Light& light, const glm::vec<3, T>& x) {
+ZONAL_DEVICE ShGradient<N, T> project_with_gradient(const Light& light, const glm::vec<3, T>& x) {
   ShGradient<N, T> sh;
   project_with_gradient<N>(light, x[0], x[1], x[2], detail::into(sh));
   return sh;

@@ -122,6 +122,17 @@ ZONAL_INLINE constexpr SeenPoint<T> nearer(const SeenPoint<T>& p, const SeenPoin
   return choose(p.distance < q.distance, p, q);
 }
 
+// The product of the unit vectors to the ends of an edge. From the edge itself it is exact however small it looks, or
+// however near, and from the nearer end; edge over the farther distance, it has the length sin(arc).
+template <class T>
+ZONAL_INLINE constexpr void cross_of_ends(const SeenPoint<T>& p, const T (&edge)[3], const SeenPoint<T>& q,
+                                          T (&result)[3]) {
+  const T inverse_far = minimum(p.inverse_distance, q.inverse_distance);
+  T scaled_edge[3];
+  for (int i = 0; i < 3; ++i) scaled_edge[i] = edge[i] * inverse_far;
+  cross3(nearer(p, q).unit, scaled_edge, result);
+}
+
 // The great-circle arc of an edge about its middle: u(s) = middle cos s + along sin s, |s| <= half; `normal` is on the
 // left as seen from the receiver. All three are unit vectors, zero where the edge points at the receiver.
 template <class T>
@@ -131,12 +142,8 @@ struct Arc {
   /// From p to q = p + edge.
   ZONAL_INLINE static constexpr Arc of(const SeenPoint<T>& p, const T (&edge)[3], const SeenPoint<T>& q) {
     Arc arc;
-    // The normal from the edge itself, which is exact however small it looks, and from the nearer end. Edge over the
-    // farther distance, the product has the length sin(arc).
-    const T inverse_far = minimum(p.inverse_distance, q.inverse_distance);
-    T scaled_edge[3], c[3];
-    for (int i = 0; i < 3; ++i) scaled_edge[i] = edge[i] * inverse_far;
-    cross3(nearer(p, q).unit, scaled_edge, c);
+    T c[3];
+    cross_of_ends(p, edge, q, c);
     const T inverse_sine = inverse_length(c);
     for (int i = 0; i < 3; ++i) arc.normal[i] = c[i] * inverse_sine;
 
@@ -226,40 +233,31 @@ struct SeenPolygon {
   }
 };
 
-// An edge of a triangle from p to q, and the vertex across.
-template <class T>
-struct TriangleEdge {
-  SeenPoint<T> p, q, across;
-  T edge[3], cosine;
-
-  ZONAL_INLINE static constexpr TriangleEdge of(const SeenPoint<T>& p, const T (&edge)[3], const SeenPoint<T>& q,
-                                                const SeenPoint<T>& across) {
-    return {p, q, across, {edge[0], edge[1], edge[2]}, dot3(p.unit, q.unit)};
-  }
-};
-template <class T>
-ZONAL_INLINE constexpr TriangleEdge<T> wider(const TriangleEdge<T>& a, const TriangleEdge<T>& b) {
-  const auto is_a = a.cosine < b.cosine;
-  TriangleEdge<T> edge{choose(is_a, a.p, b.p), choose(is_a, a.q, b.q), choose(is_a, a.across, b.across), {}, T(0)};
-  for (int i = 0; i < 3; ++i) edge.edge[i] = select(is_a, a.edge[i], b.edge[i]);
-  edge.cosine = minimum(a.cosine, b.cosine);
-  return edge;
-}
-
-// The solid angle of a triangle, without its sign; `volume` is the product a . (b x c) of its unit vectors. From [3],
-//   tan(Omega/2) = volume / (1 + a.b + b.c + c.a) = volume / (2 cos(half) (cos(half) + c . middle))
-// for the arc from a to b. Taken for the widest arc nothing cancels, however near the receiver is to its edge.
+// The solid angle of a triangle, without its sign; `volume` is the product a . (b x c) of its unit vectors [3]:
+//   tan(Omega/2) = volume / (1 + a.b + b.c + c.a)
+// Near an edge ab the sum is a small rest: 1 + a.b, and c.(a + b), of which a x b makes
+//   (|a x b|^2 + c . ((b - a) x (a x b))) / (1 - a.b)
+// where nothing cancels. The widest edge is the one to take.
 template <class T>
 ZONAL_INLINE constexpr T triangle_solid_angle(const T& volume, const SeenPoint<T>& a, const T (&ab)[3],
                                               const SeenPoint<T>& b, const T (&bc)[3], const SeenPoint<T>& c) {
-  const T ca[3] = {-(ab[0] + bc[0]), -(ab[1] + bc[1]), -(ab[2] + bc[2])};
-  const TriangleEdge<T> widest = wider(wider(TriangleEdge<T>::of(a, ab, b, c), TriangleEdge<T>::of(b, bc, c, a)),
-                                       TriangleEdge<T>::of(c, ca, a, b));
-  const Arc<T> arc = Arc<T>::of(widest.p, widest.edge, widest.q);
-  const T sine = T(0.5L) * abs(volume) / maximum(arc.cos_half, T(least_square_v<T>));
-  const T cosine = arc.cos_half + dot3(widest.across.unit, arc.middle);
-  const T inverse = T(1) / sqrt(maximum(sine * sine + cosine * cosine, T(least_square_v<T>)));
-  return T(2) * angle_from(clamp(cosine * inverse, T(-1), T(1)), minimum(sine * inverse, T(1)));
+  const T cos_ab = dot3(a.unit, b.unit), cos_bc = dot3(b.unit, c.unit), cos_ca = dot3(c.unit, a.unit);
+  const auto is_bc = cos_bc < cos_ab, is_ca = cos_ca < minimum(cos_ab, cos_bc);
+  const SeenPoint<T> p = choose(is_ca, c, choose(is_bc, b, a)), q = choose(is_ca, a, choose(is_bc, c, b));
+  T edge[3], across[3], product[3], difference[3], turned[3];
+  for (int i = 0; i < 3; ++i) {
+    edge[i] = select(is_ca, -(ab[i] + bc[i]), select(is_bc, bc[i], ab[i]));
+    across[i] = select(is_ca, b.unit[i], select(is_bc, a.unit[i], c.unit[i]));
+    difference[i] = q.unit[i] - p.unit[i];
+  }
+  cross_of_ends(p, edge, q, product);
+  cross3(difference, product, turned);
+
+  const T widest = minimum(minimum(cos_ab, cos_bc), cos_ca), rest = T(1) + cos_ab + cos_bc + cos_ca;
+  const T near_rest = (dot3(product, product) + dot3(across, turned)) / (T(1) - minimum(widest, T(0)));
+  const T cosine = select(widest < T(0), near_rest, rest);
+  const T inverse = T(1) / sqrt(maximum(volume * volume + cosine * cosine, T(least_square_v<T>)));
+  return T(2) * angle_from(clamp(cosine * inverse, T(-1), T(1)), minimum(abs(volume) * inverse, T(1)));
 }
 
 // How large a polygon looks, and from which side: 1 where its vertices run counterclockwise as seen, else -1.
@@ -292,10 +290,11 @@ ZONAL_INLINE constexpr PolygonView<T> view(const SeenPolygon<V, T>& polygon) {
     }
     nearest = nearer(nearest, nearest_of_three);
   }
-  const T plane_side = select(dot3(nearest.unit, area) < T(0), T(-1), T(1));
   if constexpr (V == 3) {
-    return {angles[0], plane_side};
+    return {angles[0], select(heights[0] < T(0), T(-1), T(1))};
   } else {
+    const T plane_side = select(dot3(nearest.unit, area) < T(0), T(-1), T(1));
+
     // A triangle's sign is that of its volume; in its plane, where that is rounding, that of its area and the side.
     const T inverse = T(1) / maximum(maximum(maximum(abs(area[0]), abs(area[1])), abs(area[2])), T(least_square_v<T>));
     for (int i = 0; i < 3; ++i) area[i] = area[i] * inverse;
@@ -377,62 +376,44 @@ ZONAL_INLINE constexpr PolygonSums<N, T> polygon_sums(const PolygonLight<V, S>& 
 
 namespace detail {
 
-// The type that constants are tabled in for T: its own, or one that they are at least as exact in.
-template <class T>
-using TabledFor =
-    std::conditional_t<is_builtin_scalar_v<T>, T, std::conditional_t<(digits_v<T> <= 24), double, long double>>;
-
-// 1/(l(l+1)) sum over k of (2l+1) D_k[moment_k], for l >= 1: the ladder's step down, in loops at run time. (Handed out
-// one by one, as ladder() does, 21 bands took 20 s to compile.)
-template <int N, class T>
-ZONAL_INLINE constexpr void step_down(const Sh<PolygonSums<N, T>::moment_bands, T> (&moment)[3], Sh<N, T>& value) {
-  using Constant = TabledFor<T>;
-  constexpr auto& table = step_down_rows<N, Constant>;
-  constexpr int size = (N - 1) * (N - 1), room = 2;  // rows are read that far beyond their ends, with the weight 0
-  T rows[3][static_cast<std::size_t>(size + 2 * room)];
-  for (auto& row : rows) {
-    for (int i = 0; i < room; ++i) row[i] = row[room + size + i] = T(0);
+// 1/(l(l+1)) sum over k of (2l+1) D_k[moment_k] for l >= 1, m of either sign: the ladder's step down (basis/ladder.hpp),
+// each coefficient by itself. (As three runs of ladder(), 21 bands took 20 s to compile.)
+template <int l, int m, class T, int M>
+ZONAL_INLINE constexpr T step_down(const Sh<M, T> (&moment)[3]) {
+  constexpr int order = m < 0 ? -m : m, row = sh_index(l - 1, 0);
+  constexpr long double weight = (2 * l + 1.0L) / (l * (l + 1)), keep = weight * keep_down(l, order),
+                        raise = weight * raise_down(l, order), lower = order > 0 ? weight * lower_down(l, order) : 0;
+  const T *const x = moment[0].values, *const y = moment[1].values, *const z = moment[2].values;
+  T sum = T(0);
+  if constexpr (order < l) sum = T(keep) * z[row + m];
+  if constexpr (order + 1 < l) {
+    sum = sum + T(raise) * x[row + (m < 0 ? m - 1 : m + 1)];
+    sum = sum + T(m < 0 ? -raise : raise) * y[row + (m < 0 ? 1 - m : -m - 1)];
   }
-  for (int l = 0; l < N - 1; ++l) {
-    for (int m = -l; m <= l; ++m) {
-      const int i = l * (l + 1) + m;
-      rows[0][room + i] = moment[0].values[i];
-      rows[1][room + i - 2 * m] = moment[1].values[i];  // by -m
-      rows[2][room + i] = moment[2].values[i];
-    }
-  }
-  for (int l = 1; l < N; ++l) {
-    const T inverse = T(Constant(1) / Constant(l * (l + 1)));
-    const T *const x = rows[0] + room - 2 * l, *const y = rows[1] + room - 2 * l, *const z = rows[2] + room - 2 * l;
-    for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
-      const T by_x = T(table.x_plus[i]) * x[i + 1] + T(table.x_minus[i]) * x[i - 1];
-      const T by_y = T(table.y_plus[i]) * y[i + 1] + T(table.y_minus[i]) * y[i - 1];
-      value.values[i] = inverse * (by_x + by_y + T(table.same[i]) * z[i]);
-    }
-  }
+  if constexpr (m != 0 && m != -1) sum = sum + T(lower) * x[row + (m < 0 ? m + 1 : m - 1)];  // sin(0 phi) is no harmonic
+  if constexpr (m != 0 && m != 1) sum = sum + T(m < 0 ? lower : -lower) * y[row + (m < 0 ? -m - 1 : 1 - m)];
+  return sum;
 }
 
 }  // namespace detail
 
-/// Coefficients and gradient from the sums.
+/// The coefficients that the sums make. The gradient is their `slope`.
 template <int N, class T>
-ZONAL_INLINE constexpr ShGradient<N, T> finish(const PolygonSums<N, T>& sums) {
-  ShGradient<N, T> sh;
-  sh.value.values[0] = T(1 / (2 * constexpr_sqrt(kPi))) * sums.solid_angle;
-  if constexpr (N > 1) detail::step_down<N>(sums.moment, sh.value);
-  for (int k = 0; k < 3; ++k) {
-    for (int i = 0; i < N * N; ++i) sh.gradient[k].values[i] = sums.slope[k].values[i];
-  }
-  return sh;
+ZONAL_INLINE constexpr void finish(const PolygonSums<N, T>& sums, Sh<N, T>& value) {
+  value.values[0] = T(1 / (2 * constexpr_sqrt(kPi))) * sums.solid_angle;
+  unroll<1, N>([&](auto l) ZONAL_INLINE {
+    unroll<-l, l + 1>([&](auto m) ZONAL_INLINE { value.values[sh_index(l, m)] = detail::step_down<l, m>(sums.moment); });
+  });
 }
-/// The same, to sink(l, m, value, d/dx, d/dy, d/dz).
+/// Coefficients and gradient from the sums: sink(l, m, value, d/dx, d/dy, d/dz).
 template <int N, class T, class Sink>
 ZONAL_INLINE constexpr void finish(const PolygonSums<N, T>& sums, Sink&& sink) {
-  const ShGradient<N, T> sh = finish(sums);
+  Sh<N, T> value;
+  finish(sums, value);
   unroll<0, N>([&](auto l) ZONAL_INLINE {
     unroll<-l, l + 1>([&](auto m) ZONAL_INLINE {
       constexpr int i = sh_index(l, m);
-      sink(l, m, sh.value.values[i], sh.gradient[0].values[i], sh.gradient[1].values[i], sh.gradient[2].values[i]);
+      sink(l, m, value.values[i], sums.slope[0].values[i], sums.slope[1].values[i], sums.slope[2].values[i]);
     });
   });
 }
@@ -463,18 +444,36 @@ T edge_allowance(const T& solid_angle, const T& outline_length, double tolerance
   return maximum(share / maximum(outline_length, T(detail::least_square_v<T>)), T(2 * detail::epsilon_v<T>));
 }
 
-/// A Gauss-Legendre rule of so many nodes, 1 to 256, or a few more beyond 32; all are made at the first call.
-inline const QuadratureRule& edge_rule(int nodes) {
-  static const std::vector<QuadratureRule> rules = [] {
-    std::vector<QuadratureRule> all;
-    for (int n = 1; n <= most_edge_nodes; n += n < 32 ? 1 : n < 64 ? 4 : n < 128 ? 16 : 32) {
-      const QuadratureRule rule = gauss_legendre(n);
-      while (static_cast<int>(all.size()) < n) all.push_back(rule);
-    }
-    return all;
-  }();
-  return rules[static_cast<std::size_t>(nodes - 1)];
+namespace detail {
+inline std::vector<QuadratureRule> rules_of(int first, int last, int step) {
+  std::vector<QuadratureRule> rules;
+  for (int n = first; n <= last; n += step) rules.push_back(gauss_legendre(n));
+  return rules;
 }
+}  // namespace detail
+
+/// A Gauss-Legendre rule of so many nodes, 1 to 256; beyond 32, of up to 31 more. All up to 32 are made at the first
+/// call, and the others at the first that asks for one.
+inline const QuadratureRule& edge_rule(int nodes) {
+  constexpr int most = 32;
+  static const std::vector<QuadratureRule> rules = detail::rules_of(1, most, 1);
+  if (nodes <= most) return rules[static_cast<std::size_t>(nodes - 1)];
+  static const std::vector<QuadratureRule> large_rules = detail::rules_of(2 * most, most_edge_nodes, most);
+  return large_rules[static_cast<std::size_t>((nodes - 1) / most - 1)];
+}
+
+namespace detail {
+// Functions of their own: melted into one, 21 bands take twice as long to compile.
+template <int N, int V, class T>
+void set_sums(const SeenPolygon<V, T>& seen, const PolygonView<T>& view, const QuadratureRule& rule,
+              PolygonSums<N, T>& sums) {
+  sums = polygon_sums<N>(seen, view, rule);
+}
+template <int N, class T>
+void set_coefficients(const PolygonSums<N, T>& sums, Sh<N, T>& value) {
+  finish(sums, value);
+}
+}  // namespace detail
 
 /// Coefficients at the receiver x, and their gradient by its position. Greatest error, next to rounding, with
 /// e = `tolerance` times the coefficient of degree 0: of a coefficient e, of the gradient 4 e over the distance to the
@@ -488,7 +487,12 @@ ShGradient<N, T> project_with_gradient(const PolygonLight<V, T>& light, const gl
   const detail::Outline<T> outline = detail::outline<N>(seen);
   const T allowance = edge_allowance(view.solid_angle, outline.length, tolerance);
   const int nodes = edge_nodes(N, static_cast<double>(outline.reach), static_cast<double>(allowance));
-  return finish(detail::polygon_sums<N>(seen, view, edge_rule(nodes)));
+  PolygonSums<N, T> sums;
+  detail::set_sums(seen, view, edge_rule(nodes), sums);
+  ShGradient<N, T> sh;
+  detail::set_coefficients(sums, sh.value);
+  for (int k = 0; k < 3; ++k) sh.gradient[k] = sums.slope[k];
+  return sh;
 }
 template <int N, int V, class T>
 Sh<N, T> project(const PolygonLight<V, T>& light, const glm::vec<3, T>& x, double tolerance = 1e-6) {

@@ -2,14 +2,20 @@
 // zonal-bench --table          the papers' tables
 // zonal-bench --table=quick    the same tables, of times that mean nothing
 
+#include <cstdio>
+#include <exception>
 #include <string_view>
 #include <vector>
+
+#include <zonal/file/standard_output.hpp>
 
 #include "bench.hpp"
 #include "table_reporter.hpp"
 
-int main(int argc, char** argv) {
-  using namespace zonal_bench;
+namespace zonal_bench {
+namespace {
+
+int run(int argc, char** argv) {
   // Interleaved, or another process would disturb all runs of a benchmark alike. Flags that follow win.
   char interleave[] = "--benchmark_enable_random_interleaving=true";
   std::vector<char*> arguments{argv[0]};
@@ -43,4 +49,17 @@ int main(int argc, char** argv) {
     benchmark::RunSpecifiedBenchmarks();
   }
   benchmark::Shutdown();
+  return 0;
+}
+
+}  // namespace
+}  // namespace zonal_bench
+
+int main(int argc, char** argv) {
+  try {
+    return zonal::with_standard_output([&] { return zonal_bench::run(argc, argv); });
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "zonal-bench: %s\n", error.what());
+    return 1;
+  }
 }

@@ -7,6 +7,8 @@
 #include <exception>
 #include <string>
 
+#include <zonal/file/standard_output.hpp>
+
 #include "../machine.hpp"
 #include "report.hpp"
 
@@ -44,7 +46,7 @@ int run(int argc, char** argv) {
   for (const Part& known : parts) {
     if (part != known.name) continue;
     known.print(effort);
-    return std::cout.good() ? 0 : 1;
+    return 0;
   }
   return usage();
 }
@@ -61,7 +63,7 @@ void zonal_report::print_machine() {
 
 int main(int argc, char** argv) {
   try {
-    return run(argc, argv);
+    return zonal::with_standard_output([&] { return run(argc, argv); });
   } catch (const std::exception& error) {
     std::fprintf(stderr, "zonal-report-data: %s\n", error.what());
     return 1;

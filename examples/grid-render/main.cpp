@@ -137,7 +137,7 @@ void run(const Options& options) {
       report.passes.front().grid->resolution = report.options.grid = loaded->resolution();
     }
   });
-  const Outputs outputs(report);
+  const Outputs outputs(report, scene);
 
   const RayCaster caster = report.times.time(stage_name::scene, [&] { return RayCaster(scene); });
   const auto pixels = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);

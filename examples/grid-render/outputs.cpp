@@ -9,7 +9,8 @@ namespace example::grid_render {
 
 namespace fs = std::filesystem;
 
-Outputs::Outputs(const Report& planned) : grid_(planned.options.save_grid), report_(planned.options.report) {
+Outputs::Outputs(const Report& planned, const Scene& scene)
+    : grid_(planned.options.save_grid), report_(planned.options.report) {
   const Options& options = planned.options;
   const fs::path folder(options.compare_directory);
   if (options.comparing()) directory_.emplace(folder);
@@ -28,7 +29,9 @@ Outputs::Outputs(const Report& planned) : grid_(planned.options.save_grid), repo
   for (const fs::path& path : {grid_, report_}) {
     if (!path.empty()) all.push_back(path);
   }
-  check_outputs(all);
+  std::vector<fs::path> inputs = scene.files;
+  inputs.insert(inputs.end(), {options.texture, options.load_grid});
+  check_outputs(all, inputs);
 }
 
 void Outputs::write(const Report& report, const LightGrid* grid) const {

@@ -15,7 +15,7 @@ namespace example::grid_render {
 class Outputs {
  public:
   /// Throws InputError unless all can be written.
-  explicit Outputs(const Report& planned);
+  Outputs(const Report& planned, const Scene& scene);
 
   /// All or nothing. `grid` is the one to save, if any.
   void write(const Report& report, const LightGrid* grid) const;

@@ -186,7 +186,7 @@ void run(const Options& options) {
   // All that can be wrong with the input comes to light before the work begins.
   const std::optional<Image> reference = load_reference(options);
   const Scene scene = report.times.time(stage_name::scene, [&] { return load_scene(options); });
-  const Outputs outputs(options);
+  const Outputs outputs(options, scene);
 
   const auto caster = report.times.time(stage_name::scene, [&] { return std::make_unique<RayCaster>(scene); });
   report.counts.triangles = scene.mesh.triangles.size();

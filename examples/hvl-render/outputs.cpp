@@ -7,7 +7,7 @@ namespace example::hvl_render {
 
 namespace fs = std::filesystem;
 
-Outputs::Outputs(const Options& options) : report_(options.report) {
+Outputs::Outputs(const Options& options, const Scene& scene) : report_(options.report) {
   if (options.comparing()) {
     const fs::path folder(options.compare_directory);
     directory_.emplace(folder);
@@ -18,7 +18,10 @@ Outputs::Outputs(const Options& options) : report_(options.report) {
   } else {
     picture_ = options.out;
   }
-  check_outputs(all());
+  std::vector<fs::path> inputs = scene.files;
+  for (const Material& material : scene.materials) inputs.push_back(material.file);
+  inputs.push_back(options.reference);
+  check_outputs(all(), inputs);
 }
 
 std::vector<fs::path> Outputs::all() const {

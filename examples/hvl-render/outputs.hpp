@@ -8,6 +8,7 @@
 #include "report.hpp"
 #include "shared/image.hpp"
 #include "shared/output_file.hpp"
+#include "shared/scene.hpp"
 
 namespace example::hvl_render {
 
@@ -20,7 +21,7 @@ struct Pictures {
 /// Where the pictures and the report go.
 class Outputs {
  public:
-  explicit Outputs(const Options& options);  // throws InputError unless all can be written
+  Outputs(const Options& options, const Scene& scene);  // throws InputError unless all can be written
 
   /// All or nothing.
   void write(const Pictures& pictures, const Report& report) const;

@@ -1,6 +1,6 @@
 #include "image_file.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -12,6 +12,7 @@
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfRgbaFile.h>
 #include <ImfStdIO.h>
 #include <stb_image.h>
 #include <stb_image_write.h>
@@ -39,21 +40,54 @@ Image read_by_stb(const std::string& path, Sample* (*load)(const char*, int*, in
   return image;
 }
 
-constexpr std::array<const char*, 3> channel_names{"R", "G", "B"};
+const std::vector<const char*> colour_channels{"R", "G", "B"}, grey_channel{"Y"}, chroma_channels{"RY", "BY"};
 
-/// The frame buffer that OpenEXR reads from and writes to, for an image whose first pixel is `origin`.
-Imf::FrameBuffer frame_buffer(Image& image, int origin_x, int origin_y) {
+/// The frame buffer that OpenEXR reads from and writes to, for an image whose first pixel is `origin`. names: the
+/// channels in the file of red, green and blue, as far as they are there.
+Imf::FrameBuffer frame_buffer(Image& image, int origin_x, int origin_y, const std::vector<const char*>& names) {
   Imf::FrameBuffer buffer;
   const std::size_t pixel_stride = sizeof(glm::vec3);
   const std::size_t row_stride = pixel_stride * static_cast<std::size_t>(image.width);
-  for (std::size_t channel = 0; channel < channel_names.size(); ++channel) {
+  for (std::size_t channel = 0; channel < names.size(); ++channel) {
     float* first = &image.pixels.front()[static_cast<int>(channel)];
     // OpenEXR addresses by absolute pixel coordinates.
     char* base = reinterpret_cast<char*>(first) - static_cast<std::ptrdiff_t>(pixel_stride) * origin_x -
                  static_cast<std::ptrdiff_t>(row_stride) * origin_y;
-    buffer.insert(channel_names[channel], Imf::Slice(Imf::FLOAT, base, pixel_stride, row_stride));
+    buffer.insert(names[channel], Imf::Slice(Imf::FLOAT, base, pixel_stride, row_stride));
   }
   return buffer;
+}
+
+bool has_channels(const Imf::InputFile& file, const std::vector<const char*>& names) {
+  const Imf::ChannelList& channels = file.header().channels();
+  return std::all_of(names.begin(), names.end(),
+                     [&](const char* name) { return channels.findChannel(name) != nullptr; });
+}
+
+Image image_of(const Imath::Box2i& window) {
+  return {window.max.x - window.min.x + 1, window.max.y - window.min.y + 1};
+}
+
+Image read_channels(Imf::InputFile& file, const std::vector<const char*>& names) {
+  const Imath::Box2i window = file.header().dataWindow();
+  Image image = image_of(window);
+  file.setFrameBuffer(frame_buffer(image, window.min.x, window.min.y, names));
+  file.readPixels(window.min.y, window.max.y);
+  return image;
+}
+
+/// Chroma of a quarter of the pixels, which OpenEXR itself turns into colours, in half precision.
+Image read_luminance_chroma(const std::filesystem::path& path) {
+  Imf::RgbaInputFile file(path.c_str());
+  const Imath::Box2i window = file.dataWindow();
+  Image image = image_of(window);
+  std::vector<Imf::Rgba> pixels(image.pixels.size());
+  file.setFrameBuffer(pixels.data() - window.min.x - window.min.y * image.width, 1,
+                      static_cast<std::size_t>(image.width));
+  file.readPixels(window.min.y, window.max.y);
+  std::transform(pixels.begin(), pixels.end(), image.pixels.begin(),
+                 [](const Imf::Rgba& pixel) { return glm::vec3(pixel.r, pixel.g, pixel.b); });
+  return image;
 }
 
 }  // namespace
@@ -83,12 +117,12 @@ std::string exr_bytes(const Image& radiance) {
   Image pixels = radiance;
   Imf::Header header(radiance.width, radiance.height);
   header.compression() = Imf::ZIP_COMPRESSION;
-  for (const char* channel : channel_names) header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
+  for (const char* channel : colour_channels) header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
   Imf::StdOSStream stream;
   {
     // Its destructor completes the file.
     Imf::OutputFile file(stream, header);
-    file.setFrameBuffer(frame_buffer(pixels, 0, 0));
+    file.setFrameBuffer(frame_buffer(pixels, 0, 0, colour_channels));
     file.writePixels(radiance.height);
   }
   return stream.str();
@@ -102,15 +136,11 @@ Image read_exr(const std::filesystem::path& path) {
   check_is_file(path);
   try {
     Imf::InputFile file(path.c_str());
-    for (const char* channel : channel_names) {
-      if (file.header().channels().findChannel(channel) == nullptr) {
-        throw InputError(path.string() + ": no channel " + channel);
-      }
-    }
-    const Imath::Box2i window = file.header().dataWindow();
-    Image image(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1);
-    file.setFrameBuffer(frame_buffer(image, window.min.x, window.min.y));
-    file.readPixels(window.min.y, window.max.y);
+    if (has_channels(file, colour_channels)) return read_channels(file, colour_channels);
+    if (!has_channels(file, grey_channel)) throw InputError(path.string() + ": has no channels R, G and B, nor Y");
+    if (has_channels(file, chroma_channels)) return read_luminance_chroma(path);
+    Image image = read_channels(file, grey_channel);
+    for (glm::vec3& pixel : image.pixels) pixel = glm::vec3(pixel.x);
     return image;
   } catch (const InputError&) {
     throw;

@@ -16,7 +16,7 @@ std::string exr_bytes(const Image& radiance);
 /// The one or the other, by the path's extension.
 std::string picture_bytes(const std::filesystem::path& path, const Image& radiance, const Display& display);
 
-/// Throws InputError unless an RGB image can be read.
+/// Channels R, G and B; or Y, grey; or Y with RY and BY, luminance and chroma. Throws InputError.
 Image read_exr(const std::filesystem::path& path);
 
 /// EXR by its extension; else what stb_image reads, PNG, JPEG and HDR among it. Linear radiance. Throws InputError.

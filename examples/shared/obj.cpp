@@ -215,6 +215,7 @@ Scene load_obj(const std::string& path, bool stage) {
   fit_view(scene, bounds);
   if (stage) add_stage(scene, bounds);
   scene.warnings = losses(path, reader);
+  scene.files = {path};
   return scene;
 }
 

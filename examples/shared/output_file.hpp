@@ -4,32 +4,23 @@
 #include <string>
 #include <vector>
 
+#include <zonal/file/output_file.hpp>
+
 namespace example {
 
-/// Throws InputError unless a regular file can be made at `path`; leaves nothing behind.
-void check_writable(const std::filesystem::path& path);
-
-/// Throws InputError unless all these files can be made, and none is another.
-void check_outputs(const std::vector<std::filesystem::path>& paths);
+/// Throws InputError unless all these files can be made, none is another, and none is one of those that are read,
+/// of which there may be empty names. Leaves nothing behind.
+void check_outputs(const std::vector<std::filesystem::path>& outputs, const std::vector<std::filesystem::path>& inputs);
 
 /// Files that appear whole and together: each is first written beside its place. One that is given up leaves
 /// no trace.
 class OutputBatch {
  public:
-  OutputBatch() = default;
-  ~OutputBatch();
-  OutputBatch(const OutputBatch&) = delete;
-  OutputBatch& operator=(const OutputBatch&) = delete;
-
   void add(const std::filesystem::path& path, const std::string& bytes);  // throws InputError
   void move_into_place();                                                 // throws InputError
 
  private:
-  struct File {
-    std::filesystem::path temporary;
-    std::filesystem::path place;
-  };
-  std::vector<File> files_;
+  std::vector<zonal::OutputFile> files_;
 };
 
 /// A directory for outputs: made if missing, and taken away again if nothing was put into it.

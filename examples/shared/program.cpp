@@ -4,6 +4,7 @@
 #include <exception>
 
 #include <tbb/info.h>
+#include <zonal/file/standard_output.hpp>
 
 #include "input_error.hpp"
 
@@ -17,7 +18,7 @@ constexpr int exit_by_signal = 128;  // and the signal's number, as of a shell
 
 int report_errors(const char* name, const std::function<int()>& body) {
   try {
-    return body();
+    return zonal::with_standard_output(body);
   } catch (const Interrupted&) {
     std::fprintf(stderr, "%s: interrupted, nothing written\n", name);
     return exit_by_signal + stop_signal();

@@ -44,7 +44,8 @@ struct Scene {
   Camera camera;
   Spotlight light;
   LightPanel panel;
-  std::vector<std::string> warnings;  // what of a file is left out, a line each
+  std::vector<std::string> warnings;         // what of a file is left out, a line each
+  std::vector<std::filesystem::path> files;  // all that was read
 };
 
 Bounds bounds_of(const Mesh& mesh);

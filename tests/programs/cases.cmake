@@ -4,6 +4,7 @@
 # and includes this one.
 set(programs_dir ${CMAKE_CURRENT_LIST_DIR})
 set(work_dir ${CMAKE_CURRENT_BINARY_DIR}/cases)
+string(REPEAT a 300 long_name)
 
 add_test(NAME "${program}: inputs of the cases" COMMAND
   ${programs_dir}/make_inputs.sh $<TARGET_FILE:${program}> ${programs_dir}/scenes ${work_dir}/inputs)
@@ -25,6 +26,16 @@ endfunction()
 # renders(<name> <new files> <pattern> <argument>...)
 function(renders name new_files pattern)
   program_case("${name}" 0 "${new_files}" "${pattern}" $<TARGET_FILE:${program}> ${small} ${ARGN})
+endfunction()
+
+# guards_its_output(): standard output that is full or closed is an error, and no output replaces what is read.
+function(guards_its_output)
+  program_case("full output" 1 "x.png" "${program}: standard output: cannot be written .No space left on device."
+    sh -c "'$<TARGET_FILE:${program}>' --scene box.obj --lights 1 --size 16x12 --out x.png >/dev/full")
+  program_case("closed output" 1 "" "${program}: standard output: is closed"
+    sh -c "'$<TARGET_FILE:${program}>' --scene box.obj --lights 1 --size 16x12 --out x.png >&-")
+  refused("report on the scene" "./box.obj: is read, and cannot be written as well" --scene box.obj --report ./box.obj)
+  refused("report of an over-long name" "a+: cannot be written .File name too long." --report ${long_name})
 endfunction()
 
 # stops(<argument>...): by a signal in the middle, within a second, and leaves no file. The first number is of seconds.
@@ -59,5 +70,6 @@ function(example_test source)
   target_link_libraries(test_${name} PRIVATE ${program}-parts
     $<IF:$<TARGET_EXISTS:test_main>,test_main,Catch2::Catch2WithMain>)
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR}/examples)
+  target_precompile_headers(test_${name} REUSE_FROM test_precompiled)
   catch_discover_tests(test_${name} TEST_PREFIX "${program}: " PROPERTIES TIMEOUT 120)
 endfunction()

@@ -74,6 +74,10 @@ foreach(load "no grid:box.obj:is no grid" "truncated:truncated.grid:is damaged: 
     $<TARGET_FILE:grid-render> --scene box.obj --bands ${bands} --load-grid ${file})
 endforeach()
 
+guards_its_output()
+refused("out on the texture" "reference.exr: is read, and cannot be written as well"
+  --out reference.exr --texture ./reference.exr)
+
 # ---- What works -----------------------------------------------------------------------------------------------------
 
 foreach(pass hermite taylor trilinear trilinear-equal-memory)

@@ -100,6 +100,10 @@ refused("reference of another size" "other_size.exr: is 12x16, not 16x12" --out 
 refused("reference truncated" "truncated.exr: cannot be read as OpenEXR .*" --out x.png --reference truncated.exr)
 refused("reference of no format" "box.obj: cannot be read as OpenEXR .*" --out x.png --reference box.obj)
 
+guards_its_output()
+refused("out on the reference" "reference.exr: is read, and cannot be written as well"
+  --out reference.exr --reference reference.exr)
+
 # ---- What works -----------------------------------------------------------------------------------------------------
 
 renders("help" "" "" --help)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <zonal/file/standard_output.hpp>
 
 #include "driver.hpp"
 #include "example.hpp"
@@ -80,7 +81,7 @@ int run_main(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    return run_main(argc, argv);
+    return zonal::with_standard_output([&] { return run_main(argc, argv); });
   } catch (const std::exception& error) {
     std::fprintf(stderr, "zonal-shader-bench: %s\n", error.what());
     return 1;

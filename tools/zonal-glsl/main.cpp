@@ -1,15 +1,11 @@
 // zonal-glsl: writes the library's kernels as shader functions.
-#include <cerrno>
 #include <cstdio>
 #include <exception>
-#include <filesystem>
-#include <fstream>
 #include <string>
-#include <system_error>
-
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <zonal/file/output_file.hpp>
+#include <zonal/file/standard_output.hpp>
 #include <zonal/glsl/file_text.hpp>
 #include <zonal/glsl/function_table.hpp>
 
@@ -17,8 +13,6 @@
 
 namespace zonal_glsl {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr int exit_bad_request = 2;
 
@@ -57,26 +51,6 @@ int parse_bands(const std::string& text) {
   throw RequestError("--bands: '" + text + "' is not in 1...10");
 }
 
-/// The file appears whole or not at all.
-void write_file(const fs::path& path, const std::string& text) {
-  const fs::path temporary = path.string() + ".tmp" + std::to_string(getpid());
-  const auto fail = [&](int error) {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    throw RequestError(path.string() + ": cannot be written (" +
-                       std::generic_category().message(error != 0 ? error : EIO) + ")");
-  };
-  if (fs::is_directory(path)) fail(EISDIR);
-  errno = 0;
-  std::ofstream file(temporary, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) fail(errno);
-  std::error_code error;
-  fs::rename(temporary, path, error);
-  if (error) fail(error.value());
-}
-
 void run(Options& options) {
   if (options.list) {
     std::fputs(function_list().c_str(), stdout);
@@ -92,13 +66,15 @@ void run(Options& options) {
   if (options.output.empty() || options.output == "-") {
     std::fputs(text.c_str(), stdout);
   } else {
-    write_file(options.output, text);
+    zonal::OutputFile file(options.output);
+    file.write(text.data(), text.size());
+    file.move_into_place();
   }
 }
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-int run_main(int argc, char** argv) {
+int parse_and_run(int argc, char** argv) {
   Options options;
   CLI::App app("Writes the kernels of zonal as shader functions.", "zonal-glsl");
   add_options(app, options);
@@ -108,6 +84,12 @@ int run_main(int argc, char** argv) {
     return 0;
   } catch (const CLI::Success& success) {
     return app.exit(success);
+  }
+}
+
+int run_main(int argc, char** argv) {
+  try {
+    return zonal::with_standard_output([&] { return parse_and_run(argc, argv); });
   } catch (const std::exception& error) {
     std::fprintf(stderr, "zonal-glsl: %s\n", first_line(error.what()).c_str());
     return exit_bad_request;

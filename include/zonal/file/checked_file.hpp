@@ -1,10 +1,10 @@
-// Files read with care, and files that are whole or not there.
+// Files read with care, and the shape of zonal's own formats.
 //
 // zonal's own formats are little-endian words of 32 bits: a mark of 8 bytes, the version of the format, the rest of a
 // header, data, and a checksum of 8 bytes, FNV-1a of everything before, taken four bytes at a time.
 //
-// A file is written beside its place and moved there when it is whole. A reader knows the size of its file, to check a
-// header against it before any memory is asked for.
+// A reader knows the size of its file, to check a header against it before any memory is asked for. Files are written
+// whole or not at all (output_file.hpp).
 #pragma once
 
 #include <algorithm>
@@ -14,22 +14,13 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <random>
-#include <stdexcept>
 #include <string>
 #include <system_error>
 
-#include "../scalar/target.hpp"
+#include "output_file.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
-
-/// What is wrong with a file: its name, and why, in one line.
-class FileError : public std::runtime_error {
- public:
-  FileError(const std::filesystem::path& path, const std::string& what)
-      : std::runtime_error(path.string() + ": " + what) {}
-};
 
 namespace detail {
 
@@ -187,32 +178,15 @@ inline bool has_mark(const std::filesystem::path& path, const FileFormat& format
   return std::memcmp(mark, format.mark, sizeof mark) == 0;
 }
 
-// A file that stands in its place whole, or not at all.
+// A file of a format, whole or not there.
 class WordWriter {
  public:
-  explicit WordWriter(const std::filesystem::path& path) : path_(path) {
-    std::error_code error;
-    const std::filesystem::path real = std::filesystem::canonical(path, error);  // a link stays a link
-    if (!error) path_ = real;
-    if (std::filesystem::exists(path_, error) && !std::filesystem::is_regular_file(path_, error)) {
-      throw FileError(path, "is not a file");
-    }
-    beside_ = path_;
-    beside_ += ".tmp" + std::to_string(std::random_device{}());
-    file_.open(beside_, std::ios::binary);
-    if (!file_) throw FileError(path, "cannot be written");
-  }
-  ~WordWriter() {
-    std::error_code ignored;
-    if (!beside_.empty()) std::filesystem::remove(beside_, ignored);
-  }
-  WordWriter(const WordWriter&) = delete;
-  WordWriter& operator=(const WordWriter&) = delete;
+  explicit WordWriter(const std::filesystem::path& path) : file_(path) {}
 
   void write(const std::uint32_t* words, std::size_t count) {
     std::array<unsigned char, 4 * FileWords::block> bytes;
     words_.encode(words, count, bytes.data());
-    file_.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(4 * count));
+    file_.write(bytes.data(), 4 * count);
   }
   void write_floats(const float* floats, std::size_t count) {
     std::array<std::uint32_t, FileWords::block> words;
@@ -227,16 +201,11 @@ class WordWriter {
     std::uint32_t words[2];
     to_words(words_.checksum(), words);
     write(words, 2);
-    file_.close();
-    std::error_code error;
-    if (file_) std::filesystem::rename(beside_, path_, error);
-    if (!file_ || error) throw FileError(path_, "cannot be written whole");
-    beside_.clear();
+    file_.move_into_place();
   }
 
  private:
-  std::filesystem::path path_, beside_;
-  std::ofstream file_;
+  OutputFile file_;
   FileWords words_;
 };
 

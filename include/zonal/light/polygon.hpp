@@ -20,9 +20,9 @@
 // - On an edge or at a vertex the limit depends on the way there, and the gradient is infinite: what comes back is
 //   finite. In the plane of the edge, on its line beyond the ends, it counts for nothing, as it should.
 //
-// Rounding, against the largest coefficient, with u = 6e-8 in float and 1e-16 in double: the edges of a small or slender
-// light cancel, which costs 8 u times the outline's length over the solid angle, both as seen, and near an edge another
-// 4 u times the distance of its nearer end over that of the edge. Use double there, or TriangleSphereLight
+// Rounding, against the largest coefficient, with u = 6e-8 in float and 1e-16 in double: the edges of a small or
+// slender light cancel, which costs 8 u times the outline's length over the solid angle, both as seen, and near an edge
+// another 4 u times the distance of its nearer end over that of the edge. Use double there, or TriangleSphereLight
 // (triangle.hpp).
 //
 // [1] Wang and Ramamoorthi, Analytic spherical harmonic coefficients for polygonal area lights, SIGGRAPH 2018.
@@ -376,8 +376,8 @@ ZONAL_INLINE constexpr PolygonSums<N, T> polygon_sums(const PolygonLight<V, S>& 
 
 namespace detail {
 
-// 1/(l(l+1)) sum over k of (2l+1) D_k[moment_k] for l >= 1, m of either sign: the ladder's step down (basis/ladder.hpp),
-// each coefficient by itself. (As three runs of ladder(), 21 bands took 20 s to compile.)
+// 1/(l(l+1)) sum over k of (2l+1) D_k[moment_k] for l >= 1, m of either sign: the ladder's step down
+// (basis/ladder.hpp), each coefficient by itself. (As three runs of ladder(), 21 bands took 20 s to compile.)
 template <int l, int m, class T, int M>
 ZONAL_INLINE constexpr T step_down(const Sh<M, T> (&moment)[3]) {
   constexpr int order = m < 0 ? -m : m, row = sh_index(l - 1, 0);
@@ -390,7 +390,8 @@ ZONAL_INLINE constexpr T step_down(const Sh<M, T> (&moment)[3]) {
     sum = sum + T(raise) * x[row + (m < 0 ? m - 1 : m + 1)];
     sum = sum + T(m < 0 ? -raise : raise) * y[row + (m < 0 ? 1 - m : -m - 1)];
   }
-  if constexpr (m != 0 && m != -1) sum = sum + T(lower) * x[row + (m < 0 ? m + 1 : m - 1)];  // sin(0 phi) is no harmonic
+  if constexpr (m != 0 && m != -1)
+    sum = sum + T(lower) * x[row + (m < 0 ? m + 1 : m - 1)];  // sin(0 phi) is no harmonic
   if constexpr (m != 0 && m != 1) sum = sum + T(m < 0 ? lower : -lower) * y[row + (m < 0 ? -m - 1 : 1 - m)];
   return sum;
 }
@@ -402,7 +403,8 @@ template <int N, class T>
 ZONAL_INLINE constexpr void finish(const PolygonSums<N, T>& sums, Sh<N, T>& value) {
   value.values[0] = T(1 / (2 * constexpr_sqrt(kPi))) * sums.solid_angle;
   unroll<1, N>([&](auto l) ZONAL_INLINE {
-    unroll<-l, l + 1>([&](auto m) ZONAL_INLINE { value.values[sh_index(l, m)] = detail::step_down<l, m>(sums.moment); });
+    unroll<-l, l + 1>([&](auto m)
+                          ZONAL_INLINE { value.values[sh_index(l, m)] = detail::step_down<l, m>(sums.moment); });
   });
 }
 /// Coefficients and gradient from the sums: sink(l, m, value, d/dx, d/dy, d/dz).
@@ -423,8 +425,8 @@ inline constexpr int most_edge_nodes = 256;
 
 /// The nodes that an edge needs for N <= 128 bands: the least n for which Gauss's bound on the error,
 ///   reach^2n (n!)^4 / ((2n+1) ((2n)!)^3) sqrt((2N-1) / 4 pi),
-/// is at most 4 `allowance` per radian of arc and greatest 1/rho for the integral of Y_l^m / rho ds. A coefficient's own
-/// error, whose integrand oscillates less and is divided by l(l+1), is then at most `allowance` per radian.
+/// is at most 4 `allowance` per radian of arc and greatest 1/rho for the integral of Y_l^m / rho ds. A coefficient's
+/// own error, whose integrand oscillates less and is divided by l(l+1), is then at most `allowance` per radian.
 inline int edge_nodes(int bands, double reach, double allowance) {
   assert(1 <= bands && bands <= 128);
   double bound = std::sqrt((2 * bands - 1) / (4 * double(kPi)));

@@ -491,10 +491,8 @@ TEST_CASE("polygon: finite wherever the receiver is, and dark without an area") 
 
 TEST_CASE("triangle as a sphere: without an area it is dark, and finite wherever the receiver is") {
   constexpr int M = 3;
-  const zonal::TriangleLight<float> flat[] = {{{{1, 1, 2}, {1, 1, 2}, {0, 1, 2}}},
-                                              {{{1, 1, 2}, {1, 1, 2}, {1, 1, 2}}},
-                                              {{{0, 0, 2}, {1, 1, 2}, {2, 2, 2}}},
-                                              {{{0, 0, 1e-30F}, {1e-30F, 0, 0}, {0, 1e-30F, 0}}}};
+  const zonal::TriangleLight<float> flat[] = {
+      {{{1, 1, 2}, {1, 1, 2}, {0, 1, 2}}}, {{{1, 1, 2}, {1, 1, 2}, {1, 1, 2}}}, {{{0, 0, 2}, {1, 1, 2}, {2, 2, 2}}}};
   for (const auto& triangle : flat) {
     const auto light = zonal::TriangleSphereLight<float>::approximate(triangle);
     for (const glm::vec3& x : {glm::vec3(0), triangle.vertices[0], light.center, glm::vec3(3, -2, 1)}) {

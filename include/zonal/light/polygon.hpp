@@ -18,12 +18,12 @@
 //   the one on the side that its vertices run around counterclockwise.
 // - On the polygon it is a hemisphere, which side is up to rounding; the gradient is the limit on that side.
 // - On an edge or at a vertex the limit depends on the way there, and the gradient is infinite: what comes back is
-//   finite. In the plane of the edge, on its line beyond the ends, it counts for nothing, as it should.
+//   finite, without that edge.
 //
-// Rounding, against the largest coefficient, with u = 6e-8 in float and 1e-16 in double: the edges of a small or
-// slender light cancel, which costs 8 u times the outline's length over the solid angle, both as seen, and near an edge
-// another 4 u times the distance of its nearer end over that of the edge. Use double there, or TriangleSphereLight
-// (triangle.hpp).
+// Rounding, with u = 6e-8 in float and 1e-16 in double: 8 u times the sum over edges of arc (1 + r / h), where r is the
+// distance of the edge's nearer end and h that of its line; of a gradient twice that over the distance to the nearest
+// edge. (At 5 bands; at 9 three times that.) So a light of angular size s is exact to 2e-6 / s in float, a slender one
+// less, and more than 1e-6 r above the plane. Use double there, or TriangleSphereLight (triangle.hpp).
 //
 // [1] Wang and Ramamoorthi, Analytic spherical harmonic coefficients for polygonal area lights, SIGGRAPH 2018.
 // [2] Wu et al., Analytic spherical harmonic gradients for real-time rendering with many polygonal area lights,
@@ -80,11 +80,8 @@ namespace detail {
 
 template <class T>
 inline constexpr long double epsilon_v = static_cast<long double>(std::numeric_limits<lane_t<T>>::epsilon());
-// The least square that is a normal number, and the least whose parts are exact as well.
 template <class T>
 inline constexpr long double least_square_v = static_cast<long double>((std::numeric_limits<lane_t<T>>::min)());
-template <class T>
-inline constexpr long double least_exact_square_v = least_square_v<T> / epsilon_v<T>;
 
 template <class T>
 ZONAL_INLINE constexpr T inverse_length(const T (&v)[3]) {
@@ -98,7 +95,7 @@ struct SeenPoint {
   T unit[3], distance, inverse_distance;
 
   ZONAL_INLINE static constexpr SeenPoint at(const T (&v)[3]) {
-    const T least = T(least_exact_square_v<T>), most = T(1 / least_exact_square_v<T>), square = dot3(v, v);
+    const T least = T(least_square_v<T> / epsilon_v<T>), most = T(0.25L / least_square_v<T>), square = dot3(v, v);
     const auto is_here = square < least, is_beyond = most < square;
     SeenPoint point;
     point.distance = sqrt(clamp(square, least, most));
@@ -233,31 +230,46 @@ struct SeenPolygon {
   }
 };
 
-// The solid angle of a triangle, without its sign; `volume` is the product a . (b x c) of its unit vectors [3]:
-//   tan(Omega/2) = volume / (1 + a.b + b.c + c.a)
-// Near an edge ab the sum is a small rest: 1 + a.b, and c.(a + b), of which a x b makes
-//   (|a x b|^2 + c . ((b - a) x (a x b))) / (1 - a.b)
-// where nothing cancels. The widest edge is the one to take.
+// The solid angle of a triangle, positive where its vertices run counterclockwise as seen [3]:
+//   tan(Omega/2) = a . (b x c) / (1 + a.b + b.c + c.a)
+// - Of a small triangle the product is that of its exact edges with the nearest vertex.
+// - Near an edge pq the sum is a small rest: 1 + p.q, and c . (p + q), of which w = p x q and d = q - p make, both
+// times
+//   2 (1 - p.q) = |d|^2,
+//     c . ((d x w) x d) / (2 |w|^2 + 2 c . (d x w))
+//   where nothing cancels. The widest edge is the one to take. Triangles that share an edge compute w alike, so that on
+//   it, where w is rounding and each angle for itself means nothing, their sum is right.
 template <class T>
-ZONAL_INLINE constexpr T triangle_solid_angle(const T& volume, const SeenPoint<T>& a, const T (&ab)[3],
-                                              const SeenPoint<T>& b, const T (&bc)[3], const SeenPoint<T>& c) {
+ZONAL_INLINE constexpr T triangle_solid_angle(const SeenPoint<T>& a, const T (&ab)[3], const SeenPoint<T>& b,
+                                              const T (&bc)[3], const SeenPoint<T>& c) {
   const T cos_ab = dot3(a.unit, b.unit), cos_bc = dot3(b.unit, c.unit), cos_ca = dot3(c.unit, a.unit);
   const auto is_bc = cos_bc < cos_ab, is_ca = cos_ca < minimum(cos_ab, cos_bc);
-  const SeenPoint<T> p = choose(is_ca, c, choose(is_bc, b, a)), q = choose(is_ca, a, choose(is_bc, c, b));
-  T edge[3], across[3], product[3], difference[3], turned[3];
+  const SeenPoint<T> p = choose(is_ca, a, choose(is_bc, b, a)), q = choose(is_ca, c, choose(is_bc, c, b));
+  T edge[3], across[3], product[3], difference[3], turned[3], turned_back[3];
   for (int i = 0; i < 3; ++i) {
-    edge[i] = select(is_ca, -(ab[i] + bc[i]), select(is_bc, bc[i], ab[i]));
+    edge[i] = select(is_ca, ab[i] + bc[i], select(is_bc, bc[i], ab[i]));
     across[i] = select(is_ca, b.unit[i], select(is_bc, a.unit[i], c.unit[i]));
     difference[i] = q.unit[i] - p.unit[i];
   }
   cross_of_ends(p, edge, q, product);
   cross3(difference, product, turned);
+  cross3(turned, difference, turned_back);
+  const T wide_volume = select(is_ca, -dot3(across, turned_back), dot3(across, turned_back));
+  const T wide_rest = T(2) * (dot3(product, product) + dot3(across, turned));
 
-  const T widest = minimum(minimum(cos_ab, cos_bc), cos_ca), rest = T(1) + cos_ab + cos_bc + cos_ca;
-  const T near_rest = (dot3(product, product) + dot3(across, turned)) / (T(1) - minimum(widest, T(0)));
-  const T cosine = select(widest < T(0), near_rest, rest);
-  const T inverse = T(1) / sqrt(maximum(volume * volume + cosine * cosine, T(least_square_v<T>)));
-  return T(2) * angle_from(clamp(cosine * inverse, T(-1), T(1)), minimum(abs(volume) * inverse, T(1)));
+  const SeenPoint<T> near = nearer(b, c);
+  const T inverse_far = minimum(b.inverse_distance, c.inverse_distance);
+  const T inverse_middle = minimum(a.inverse_distance, near.inverse_distance);
+  T scaled_ab[3], scaled_bc[3], area[3];
+  for (int i = 0; i < 3; ++i) scaled_ab[i] = ab[i] * inverse_middle, scaled_bc[i] = bc[i] * inverse_far;
+  cross3(scaled_ab, scaled_bc, area);
+
+  const auto is_wide = minimum(minimum(cos_ab, cos_bc), cos_ca) < T(0);
+  const T volume = select(is_wide, wide_volume, dot3(nearer(a, near).unit, area));
+  const T rest = select(is_wide, wide_rest, T(1) + cos_ab + cos_bc + cos_ca);
+  const T inverse = T(1) / sqrt(maximum(volume * volume + rest * rest, T(least_square_v<T>)));
+  const T half = angle_from(clamp(rest * inverse, T(-1), T(1)), minimum(abs(volume) * inverse, T(1)));
+  return select(volume < T(0), T(-2), T(2)) * half;
 }
 
 // How large a polygon looks, and from which side: 1 where its vertices run counterclockwise as seen, else -1.
@@ -266,47 +278,16 @@ struct PolygonView {
   T solid_angle, side;
 };
 
+// As a fan of triangles from the first vertex, some of which are negative where the polygon is not convex.
 template <int V, class T>
 ZONAL_INLINE constexpr PolygonView<T> view(const SeenPolygon<V, T>& polygon) {
   const auto& vertex = polygon.vertex;
-  const auto& edge = polygon.edge;
-
-  // A fan of triangles from the first vertex, some of them negative where the polygon is not convex: their areas, and
-  // the heights of the nearest vertices above them.
-  constexpr auto triangles = static_cast<std::size_t>(V - 2);
-  T diagonal[3] = {edge[0][0], edge[0][1], edge[0][2]}, areas[triangles][3], heights[triangles], angles[triangles];
-  T area[3] = {T(0), T(0), T(0)};
-  SeenPoint<T> nearest = vertex[0];
+  T diagonal[3] = {polygon.edge[0][0], polygon.edge[0][1], polygon.edge[0][2]}, total = T(0);
   for (int v = 1; v + 1 < V; ++v) {
-    cross3(diagonal, edge[v], areas[v - 1]);
-    const SeenPoint<T> near = nearer(vertex[v], vertex[v + 1]), nearest_of_three = nearer(vertex[0], near);
-    heights[v - 1] = dot3(nearest_of_three.unit, areas[v - 1]);
-    const T volume = heights[v - 1] * minimum(vertex[v].inverse_distance, vertex[v + 1].inverse_distance) *
-                     minimum(vertex[0].inverse_distance, near.inverse_distance);
-    angles[v - 1] = triangle_solid_angle(volume, vertex[0], diagonal, vertex[v], edge[v], vertex[v + 1]);
-    for (int i = 0; i < 3; ++i) {
-      area[i] = area[i] + areas[v - 1][i];
-      diagonal[i] = diagonal[i] + edge[v][i];
-    }
-    nearest = nearer(nearest, nearest_of_three);
+    total = total + triangle_solid_angle(vertex[0], diagonal, vertex[v], polygon.edge[v], vertex[v + 1]);
+    for (int i = 0; i < 3; ++i) diagonal[i] = diagonal[i] + polygon.edge[v][i];
   }
-  if constexpr (V == 3) {
-    return {angles[0], select(heights[0] < T(0), T(-1), T(1))};
-  } else {
-    const T plane_side = select(dot3(nearest.unit, area) < T(0), T(-1), T(1));
-
-    // A triangle's sign is that of its volume; in its plane, where that is rounding, that of its area and the side.
-    const T inverse = T(1) / maximum(maximum(maximum(abs(area[0]), abs(area[1])), abs(area[2])), T(least_square_v<T>));
-    for (int i = 0; i < 3; ++i) area[i] = area[i] * inverse;
-    T total = T(0);
-    for (std::size_t t = 0; t < triangles; ++t) {
-      const T rounding = T(4 * epsilon_v<T>) * (abs(areas[t][0]) + abs(areas[t][1]) + abs(areas[t][2]));
-      const T sign = select(heights[t] < T(0), T(-1), T(1));
-      const T sign_in_plane = select(dot3(areas[t], area) < T(0), -plane_side, plane_side);
-      total = total + select(abs(heights[t]) <= rounding, sign_in_plane, sign) * angles[t];
-    }
-    return {abs(total), select(plane_side * total < T(0), -plane_side, plane_side)};
-  }
+  return {abs(total), select(total < T(0), T(-1), T(1))};
 }
 
 // The arc between two seen points, in radians, or up to 3 % more: chord asin(x)/x, x = chord/2, where the rest of the
@@ -444,6 +425,20 @@ template <class T>
 T edge_allowance(const T& solid_angle, const T& outline_length, double tolerance) {
   const T share = T(tolerance / (2 * std::sqrt(double(kPi)))) * solid_angle;
   return maximum(share / maximum(outline_length, T(detail::least_square_v<T>)), T(2 * detail::epsilon_v<T>));
+}
+
+/// What the nodes of a polygon's edges depend on, at a receiver: see edge_nodes. Of a packet, take the greatest reach
+/// and the least allowance.
+template <class T>
+struct EdgeDemand {
+  T reach, allowance;
+};
+template <int N, int V, class S, class T>
+EdgeDemand<T> edge_demand(const PolygonLight<V, S>& light, double tolerance, const T& x, const T& y, const T& z) {
+  const T receiver[3] = {x, y, z};
+  const detail::SeenPolygon<V, T> seen(light, receiver);
+  const detail::Outline<T> outline = detail::outline<N>(seen);
+  return {outline.reach, edge_allowance(detail::view(seen).solid_angle, outline.length, tolerance)};
 }
 
 namespace detail {

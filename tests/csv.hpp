@@ -1,4 +1,4 @@
-// Tables of numbers in tests/data.
+// Tables of numbers in tests/data, and elsewhere.
 #pragma once
 
 #include <cstdlib>
@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-inline std::vector<std::vector<std::string>> read_csv_text(const std::string& name) {
-  std::ifstream file(std::string(ZONAL_TEST_DATA) + "/" + name);
+inline std::vector<std::vector<std::string>> read_csv_file(const std::string& path) {
+  std::ifstream file(path);
   std::vector<std::vector<std::string>> rows;
   std::string line;
   std::getline(file, line);  // the names of the columns
@@ -19,8 +19,12 @@ inline std::vector<std::vector<std::string>> read_csv_text(const std::string& na
     for (std::string cell; std::getline(cells, cell, ',');) row.push_back(cell);
     rows.push_back(row);
   }
-  if (rows.empty()) throw std::runtime_error("no rows in " + name);
+  if (rows.empty()) throw std::runtime_error("no rows in " + path);
   return rows;
+}
+
+inline std::vector<std::vector<std::string>> read_csv_text(const std::string& name) {
+  return read_csv_file(std::string(ZONAL_TEST_DATA) + "/" + name);
 }
 
 inline std::vector<std::vector<double>> read_csv(const std::string& name) {

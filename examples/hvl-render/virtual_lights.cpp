@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
+#include <iomanip>
 #include <iterator>
+#include <map>
 #include <optional>
+#include <sstream>
 
 #include <tbb/parallel_for.h>
 #include <zonal/gather/radius.hpp>
@@ -83,23 +87,38 @@ std::vector<zonal::VirtualLight> lit(const VirtualLightMap& map) {
 namespace {
 
 constexpr double model_tolerance = 1e-4;
-constexpr double measured_tolerance = 1e-3;  // for the kinks between samples, a tenth of the time
+constexpr double merl_tolerance = 1e-3;  // for the kinks between samples, a tenth of the time
+constexpr double rgl_tolerance = 3e-3;   // of the last refinement: the error is a tenth of it
 
-double tolerance_of(const Material& material) { return material.file.empty() ? model_tolerance : measured_tolerance; }
+double tolerance_of(const Material& material) {
+  if (material.file.empty()) return model_tolerance;
+  return material.file.extension() == ".bsdf" ? rgl_tolerance : merl_tolerance;
+}
+
+/// Of a material from a file: what its projection is known by. Files of equal content are one.
+std::optional<std::uint64_t> fingerprint(const Material& material) {
+  if (material.file.empty()) return std::nullopt;
+  try {
+    return zonal::material_fingerprint(material.file, zonal::MaterialTable::max_bands, tolerance_of(material));
+  } catch (const zonal::FileError& error) {
+    throw InputError(error.what());
+  }
+}
 
 /// From the cache, where there is one and the material comes from a file.
-zonal::MaterialTable project(const Material& material, int bands, const Options& options) {
+zonal::MaterialTable project(const Material& material, std::optional<std::uint64_t> fingerprint, int bands,
+                             const Options& options) {
   const auto for_each = [](int count, const auto& body) { tbb::parallel_for(0, count, body); };
   const double tolerance = tolerance_of(material);
-  if (material.file.empty() || options.material_cache.empty()) {
+  if (!fingerprint || options.material_cache.empty()) {
     return zonal::project_material(material.brdf, bands, tolerance, for_each);
   }
-  constexpr int all_bands = zonal::MaterialTable::max_bands;
-  const std::filesystem::path path =
-      std::filesystem::path(options.material_cache) / (material.file.filename().string() + ".table");
+  std::ostringstream name;
+  name << material.file.stem().string() << '-' << std::hex << std::setw(16) << std::setfill('0') << *fingerprint;
+  const std::filesystem::path path = std::filesystem::path(options.material_cache) / (name.str() + ".table");
   try {
-    return zonal::cached_material_table(path, zonal::material_fingerprint(material.file, all_bands, tolerance), [&] {
-      return zonal::project_material(material.brdf, all_bands, tolerance, for_each);
+    return zonal::cached_material_table(path, *fingerprint, [&] {
+      return zonal::project_material(material.brdf, zonal::MaterialTable::max_bands, tolerance, for_each);
     });
   } catch (const zonal::FileError& error) {
     throw InputError(error.what());
@@ -114,12 +133,24 @@ MaterialTables project_materials(const std::vector<Material>& materials, const O
   std::optional<OutputDirectory> cache;
   if (options.method == Method::hvl && !options.material_cache.empty()) cache.emplace(options.material_cache);
   MaterialTables tables;
+  std::map<std::uint64_t, std::size_t> projected;  // files, and the first material of each
   for (const Material& material : materials) {
     throw_if_interrupted();
+    const std::optional<std::uint64_t> file = fingerprint(material);
+    const auto known = file ? projected.find(*file) : projected.end();
     if (options.method == Method::hvl_zonal) {
-      tables.zonal.push_back(zonal::project_zonal(material.brdf, options.bands, tolerance_of(material), for_each));
+      tables.zonal.push_back(known != projected.end() ? zonal::ZonalTable(tables.zonal[known->second])
+                                                      : zonal::project_zonal(material.brdf, options.bands,
+                                                                             tolerance_of(material), for_each));
+      if (file) projected.try_emplace(*file, tables.zonal.size() - 1);
     } else if (options.method == Method::hvl) {
-      const zonal::MaterialTable table = project(material, bands, options);
+      if (known != projected.end()) {
+        tables.receiving.push_back(zonal::MaterialTable(tables.receiving[known->second]));
+        tables.emitting.push_back(zonal::MaterialTable(tables.emitting[known->second]));
+        continue;
+      }
+      if (file) projected.emplace(*file, tables.receiving.size());
+      const zonal::MaterialTable table = project(material, file, bands, options);
       tables.receiving.push_back(table.windowed(options.window, options.bands));
       tables.emitting.push_back(table.windowed(options.window, options.emission_bands));
       tables.error = std::max(tables.error, table.achieved_error());

@@ -162,7 +162,7 @@ TEST_CASE("material file: a cache overwrites nothing else, and fails before it b
   CHECK(folder.files() == 1);  // nothing is left of what was not built
 }
 
-TEST_CASE("material file: a fingerprint tells sources, bands and tolerances apart") {
+TEST_CASE("material file: a fingerprint tells sources, bands, tolerances and versions of the projection apart") {
   const Folder folder;
   const fs::path path = folder.path / "source";
   std::vector<std::uint64_t> all;
@@ -178,6 +178,7 @@ TEST_CASE("material file: a fingerprint tells sources, bands and tolerances apar
   for (const int bands : {5, 6}) {
     for (const double tolerance : {1e-4, 1e-3}) all.push_back(zonal::material_fingerprint(path, bands, tolerance));
   }
+  for (const std::uint32_t version : {1U, 3U}) all.push_back(zonal::material_fingerprint(path, 5, 1e-4, version));
   std::sort(all.begin(), all.end());
   CHECK(std::adjacent_find(all.begin(), all.end()) == all.end());
   CHECK_THROWS_AS(zonal::material_fingerprint(folder.path / "nowhere", 5, 1e-4), zonal::FileError);

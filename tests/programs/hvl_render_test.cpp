@@ -247,6 +247,50 @@ TEST_CASE("materials: a MERL file replaces a model, for values and for sampling"
   }
 }
 
+namespace {
+
+/// The one table in a folder, named after its source and its fingerprint.
+std::filesystem::path only_table(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> tables;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".table") tables.push_back(entry.path());
+  }
+  REQUIRE(tables.size() == 1);
+  CHECK(file_test::contains(tables[0].filename().string(), "copper-"));
+  return tables[0];
+}
+
+}  // namespace
+
+TEST_CASE("materials: a file is projected once, for all materials and under all its names") {
+  const Folder folder;
+  material_test::RglGrid grid;
+  grid.theta_nodes = 3;
+  grid.square = grid.rgb = 8;
+  for (const char* name : {"copper-1.bsdf", "copper-2.bsdf"}) {
+    file_test::write(folder.path / name, material_test::tensor_file(material_test::rgl_tensors({0.5, 0.5}, grid)));
+  }
+  Scene scene = box_scene();
+  scene.materials.resize(2, scene.materials[0]);
+  scene.materials[0].name = "a", scene.materials[1].name = "b";
+  apply({parse_material_change("a=" + (folder.path / "copper-1.bsdf").string()),
+         parse_material_change("b=" + (folder.path / "copper-2.bsdf").string())},
+        scene.materials);
+  Options options;
+  options.material_cache = (folder.path / "cache").string();
+  const auto tables = project_materials(scene.materials, options);
+  only_table(options.material_cache);
+  REQUIRE(tables.receiving.size() == 2);
+  CHECK(tables.receiving[0].with_cosine_rows() == tables.receiving[1].with_cosine_rows());
+  // another file of the same name is another material
+  file_test::write(folder.path / "copper-1.bsdf",
+                   material_test::tensor_file(material_test::rgl_tensors({0.4, 0.4}, grid)));
+  apply({parse_material_change("a=" + (folder.path / "copper-1.bsdf").string())}, scene.materials);
+  const auto changed = project_materials(scene.materials, options);
+  CHECK(changed.receiving[0].with_cosine_rows() != tables.receiving[0].with_cosine_rows());
+  CHECK(changed.receiving[1].with_cosine_rows() == tables.receiving[1].with_cosine_rows());
+}
+
 TEST_CASE("materials: the cache of projections is written once, and read") {
   const Folder folder;
   file_test::write(folder.path / "copper.binary", material_test::merl_bytes(metal(*find_metal("copper"), 0.3f)));
@@ -255,8 +299,7 @@ TEST_CASE("materials: the cache of projections is written once, and read") {
   Options options;
   options.material_cache = folder.path.string();
   const auto built = project_materials(scene.materials, options);
-  const auto table = folder.path / "copper.binary.table";
-  REQUIRE(std::filesystem::exists(table));
+  const auto table = only_table(folder.path);
   const auto written = std::filesystem::last_write_time(table);
   const auto read = project_materials(scene.materials, options);
   CHECK(std::filesystem::last_write_time(table) == written);
@@ -271,10 +314,9 @@ TEST_CASE("materials: the cache's directory is made; where it cannot be, that is
   Options options;
   options.material_cache = (folder.path / "copper.binary" / "cache").string();
   CHECK_THROWS_AS(project_materials(scene.materials, options), InputError);
-  const auto table = folder.path / "cache" / "copper.binary.table";
-  options.material_cache = table.parent_path().string();
+  options.material_cache = (folder.path / "cache").string();
   project_materials(scene.materials, options);
-  REQUIRE(std::filesystem::exists(table));
+  const auto table = only_table(options.material_cache);
   file_test::write(table, "something else");
   CHECK_THROWS_AS(project_materials(scene.materials, options), InputError);
 }

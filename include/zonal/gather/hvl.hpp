@@ -9,6 +9,11 @@
 // materials are then even in phi, and N(N+1)/2 coefficients do what N^2 would. What a light sends out is even in z as
 // well (projection.hpp): of its coefficients only those of even l+m are there.
 //
+// What a light sends out is read from the material's table at the direction to the primary light, as what a receiver
+// reflects is at the direction to the eye: that takes f(a, b) = f(b, a). Of measured materials that are not reciprocal
+// (rgl.hpp) the receiver's part is right, and the light's that of the exchanged directions; VPL, VSL and paths ask for
+// f(light, eye) at both.
+//
 // [1] Mezieres et al., Harmonics Virtual Lights, CGF 41(6), 2022.
 #pragma once
 

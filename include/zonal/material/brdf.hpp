@@ -1,9 +1,9 @@
 // Analytic BRDF models: Lambert, Phong, GGX, and sums of them.
 //
 // Directions are unit vectors in the local frame, z being the surface normal; wi points towards the light, wo
-// towards the eye. A BRDF f(wi, wo) is in 1/sr, one value per RGB channel, reciprocal, and exactly zero when
-// either direction is at or below the horizon. Only isotropic models live here: f depends on the azimuths
-// through their difference.
+// towards the eye. A BRDF f(wi, wo) is in 1/sr, one value per RGB channel, reciprocal (measured materials may not be),
+// and exactly zero when either direction is at or below the horizon. Only isotropic models live here: f depends on the
+// azimuths through their difference.
 //
 // Each kernel is a template on its scalar T (float, double, long double, or a packet of them); the parameters of
 // a model are floats, and are widened, so that a projection done in double is limited by the model and not by its
@@ -76,12 +76,22 @@ struct GgxBrdf {
 /// An isotropic BRDF in 1/sr, as any function of (wi, wo) that is zero at and below the horizon.
 using BrdfFunction = std::function<glm::dvec3(const glm::dvec3&, const glm::dvec3&)>;
 
+/// A quadrature over the hemisphere that suits a BRDF seen from wo: nodes(wo, level, visit) calls visit(wi, f(wi, wo)
+/// times the node's solid angle), level 0 to brdf_node_levels - 1 from coarse to fine. An isotropic BRDF's are for
+/// integrals with functions of wi that are even about the plane of wo.
+using BrdfNodes = std::function<void(const glm::dvec3& wo, int level,
+                                     const std::function<void(const glm::dvec3& wi, const glm::dvec3& weighted)>&)>;
+inline constexpr int brdf_node_levels = 4;
+
 /// A measured material; measured.hpp makes it. The function is the material; beside it stand a diffuse and a GGX lobe
-/// of about its size, to choose directions by, and for virtual lights that are Gaussians.
+/// of about its size, to choose directions by, and for virtual lights that are Gaussians; and its own quadrature, for
+/// projections, where it has one. It need not be reciprocal: f(wi, wo), where wo is the direction the light leaves in,
+/// may differ from f(wo, wi).
 struct MeasuredBrdf {
   std::shared_ptr<const BrdfFunction> function;
   glm::vec3 diffuse_albedo, specular_albedo;
   float roughness;
+  std::shared_ptr<const BrdfNodes> nodes{};
 };
 
 using BrdfLobe = std::variant<LambertBrdf, PhongBrdf, GgxBrdf, MeasuredBrdf>;

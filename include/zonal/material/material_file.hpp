@@ -134,9 +134,15 @@ inline MaterialTable load_material_table(const std::filesystem::path& path) {
                        std::move(without_cosine));
 }
 
-/// A fingerprint of a measured material's file, all its bytes, projected to `bands` bands within `tolerance`: 64 bits,
-/// against mistakes and not against malice. Throws FileError where the file cannot be read.
-inline std::uint64_t material_fingerprint(const std::filesystem::path& source, int bands, double tolerance) {
+/// To be raised with every change of how a file is read or projected that changes its table: 2 since RGL materials are
+/// integrated by the pieces of their own tables. Tables of another version are built anew.
+inline constexpr std::uint32_t material_projection_version = 2;
+
+/// A fingerprint of a measured material's file, all its bytes, projected to `bands` bands within `tolerance` by that
+/// version of the projection: 64 bits, against mistakes and not against malice. Throws FileError where the file cannot
+/// be read.
+inline std::uint64_t material_fingerprint(const std::filesystem::path& source, int bands, double tolerance,
+                                          std::uint32_t version = material_projection_version) {
   detail::InputFile file(source);
   detail::FileWords words;
   std::array<unsigned char, 4 * detail::FileWords::block> bytes;
@@ -148,10 +154,11 @@ inline std::uint64_t material_fingerprint(const std::filesystem::path& source, i
     words.decode(bytes.data(), (now + 3) / 4, decoded.data());
     left -= now;
   }
-  std::uint32_t rest[5] = {static_cast<std::uint32_t>(bands)};
+  std::uint32_t rest[6] = {static_cast<std::uint32_t>(bands)};
   detail::to_words(file.size(), &rest[1]);
   detail::to_words(detail::same_bits<std::uint64_t>(tolerance), &rest[3]);
-  words.encode(rest, 5, bytes.data());
+  rest[5] = version;
+  words.encode(rest, 6, bytes.data());
   return words.checksum();
 }
 

@@ -117,8 +117,22 @@ void add_azimuthal_moments(const F& brdf, const glm::dvec3& wo, double cos_theta
   }
 }
 
-/// Adds to both integrals the rows of theta between `mirror`, where the nodes crowd, and `end`. Y_l^m is its
-/// value at phi = 0 times cos(m phi), and Y_l^-m the same times sin(m phi), so each row needs the basis once.
+/// Adds to both integrals a ring of directions at one theta, whose moments in phi are known. Y_l^m is its value at
+/// phi = 0 times cos(m phi), and Y_l^-m the same times sin(m phi), so a ring needs the basis once.
+template <int N>
+void add_ring(const glm::dvec3 (&moments)[std::size_t(N)], double cos_theta, double sin_theta, double solid_angle,
+              BrdfProjection<N>& result) {
+  const EvenSh<N, double> basis = evaluate_even<N>(sin_theta, cos_theta);
+  for (int l = 0; l < N; ++l) {
+    for (int m = 0; m <= l; ++m) {
+      const glm::dvec3 term = moments[m] * (solid_angle * basis(l, m));
+      result.with_cosine(l, m) += term * cos_theta;
+      if (is_even_in_z(l, m)) result.without_cosine(l, m) += 2.0 * term;  // and its mirror image's
+    }
+  }
+}
+
+/// Adds to both integrals the rings of theta between `mirror`, where the nodes crowd, and `end`.
 template <int N, Parity parity, class F>
 void add_theta_interval(const F& brdf, const glm::dvec3& wo, double mirror, double end, const QuadratureRule& rule,
                         BrdfProjection<N>& result) {
@@ -130,15 +144,7 @@ void add_theta_interval(const F& brdf, const glm::dvec3& wo, double mirror, doub
     const double cos_theta = std::cos(theta), sin_theta = std::sin(theta);
     glm::dvec3 moments[std::size_t(N)] = {};
     add_azimuthal_moments<N, parity>(brdf, wo, cos_theta, sin_theta, rule, moments);
-    const double solid_angle = std::abs(width) * s * rule.weights[i] * sin_theta;
-    const EvenSh<N, double> basis = evaluate_even<N>(sin_theta, cos_theta);
-    for (int l = 0; l < N; ++l) {
-      for (int m = 0; m <= l; ++m) {
-        const glm::dvec3 term = moments[m] * (solid_angle * basis(l, m));
-        result.with_cosine(l, m) += term * cos_theta;
-        if (is_even_in_z(l, m)) result.without_cosine(l, m) += 2.0 * term;  // and its mirror image's
-      }
-    }
+    add_ring<N>(moments, cos_theta, sin_theta, std::abs(width) * s * rule.weights[i] * sin_theta, result);
   }
 }
 

@@ -59,6 +59,23 @@ Zh<N, glm::dvec3> project_mirror_lobe(const F& brdf, double cos_outgoing, double
   }
 }
 
+/// The same by a quadrature of the BRDF's own.
+template <int N>
+Zh<N, glm::dvec3> project_mirror_lobe(const BrdfNodes& nodes, double cos_outgoing, double tolerance) {
+  const double sin_outgoing = std::sqrt((1.0 - cos_outgoing) * (1.0 + cos_outgoing));
+  const glm::dvec3 wo(sin_outgoing, 0.0, cos_outgoing), mirror(-sin_outgoing, 0.0, cos_outgoing);
+  const auto at_level = [&](int level) {
+    Zh<N, glm::dvec3> sum{};
+    nodes(wo, level, [&](const glm::dvec3& wi, const glm::dvec3& weighted) {
+      evaluate_zonal<N>(std::clamp(glm::dot(wi, mirror), -1.0, 1.0),
+                        [&](auto l, double y) { sum.values[l] += weighted * y; });
+    });
+    return sum;
+  };
+  const auto movement = [](const auto& coarse, const auto& fine) { return relative_movement(coarse, fine); };
+  return refine_nodes(tolerance, at_level, movement).first;
+}
+
 }  // namespace detail
 
 /// The diffuse albedo of a material, and the zonal coefficients of its glossy part, RGB, without cosine, by outgoing
@@ -97,17 +114,27 @@ class ZonalTable {
 /// for the tolerance.
 template <class ForEach = SerialForEach>
 ZonalTable project_zonal(const Brdf& brdf, int bands, double tolerance = 1e-4, ForEach&& for_each = {}) {
+  constexpr int all_bands = ZonalTable::max_bands;
   const glm::vec3 diffuse = diffuse_albedo(brdf);
-  const Brdf glossy = glossy_part(brdf);
-  if (glossy.lobes.empty()) return {diffuse, bands, {}};
+  Brdf glossy, by_nodes;
+  for (const BrdfLobe& lobe : glossy_part(brdf).lobes) {
+    (detail::has_own_nodes(lobe) ? by_nodes : glossy).lobes.push_back(lobe);
+  }
+  if (glossy.lobes.empty() && by_nodes.lobes.empty()) return {diffuse, bands, {}};
 
   std::vector<glm::vec3> rows(std::size_t(ZonalTable::max_angles * bands));
   const auto function = [&glossy](const glm::dvec3& wi, const glm::dvec3& wo) { return evaluate(glossy, wi, wo); };
   const ProjectionQuadrature quadrature;
   for_each(ZonalTable::max_angles, [&](int angle) {
     const double cos_outgoing = std::cos(double(kPi) / 180.0 * angle);
-    const auto lobe = detail::project_mirror_lobe<ZonalTable::max_bands>(function, cos_outgoing, tolerance, quadrature);
-    for (int l = 0; l < bands; ++l) rows[std::size_t(angle * bands + l)] = glm::vec3(lobe[l]);
+    Zh<all_bands, glm::dvec3> sum{};
+    if (!glossy.lobes.empty()) {
+      sum += detail::project_mirror_lobe<all_bands>(function, cos_outgoing, tolerance, quadrature);
+    }
+    for (const BrdfLobe& lobe : by_nodes.lobes) {
+      sum += detail::project_mirror_lobe<all_bands>(*std::get<MeasuredBrdf>(lobe).nodes, cos_outgoing, tolerance);
+    }
+    for (int l = 0; l < bands; ++l) rows[std::size_t(angle * bands + l)] = glm::vec3(sum[l]);
   });
   return {diffuse, bands, std::move(rows)};
 }

@@ -178,6 +178,7 @@ void check_methods(const CLI::App& app, const Options& options) {
 }
 
 void check_map(const Options& options) {
+  if (options.time_budget) return;  // it chooses what fits
   const int side = map_side(options);
   if (side <= most_texels_across) return;
   throw InputError("--lights and --vsgl-texels ask for a map of " + std::to_string(side) +

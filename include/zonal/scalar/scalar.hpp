@@ -21,7 +21,10 @@
 #include "target.hpp"
 
 /// A kernel melts into its caller, whatever its size: sinks and packets cost nothing only then, and GCC gives up early.
-#if defined(_MSC_VER) && !defined(__clang__)
+/// Where no speed is asked for, as where kernels are recorded, it may be defined as nothing beforehand: a fifth less to
+/// compile.
+#if defined(ZONAL_INLINE)
+#elif defined(_MSC_VER) && !defined(__clang__)
 #define ZONAL_INLINE
 #else
 #define ZONAL_INLINE __attribute__((always_inline))

@@ -47,7 +47,7 @@ glm::vec3 reflect(const zonal::Sh<N, glm::vec3>& radiance, const Hit& hit, const
   return sum_of_lobes(hit, outgoing, reflector, diffuse, glossy);
 }
 
-/// Of a polygon's edge integrals, relative to its largest coefficient.
+/// Of a polygon's edge integrals, relative to its coefficient of degree 0.
 constexpr double edge_tolerance = 1e-5;
 
 /// Lights as a point sees them: sink(l, m, value). Lights symmetric about their centre are closed forms.
@@ -62,14 +62,16 @@ struct Projection {
 /// Polygons are integrated along their edges, at as many nodes as the largest in the packet needs.
 template <int N, int V>
 struct Projection<N, zonal::PolygonLight<V, float>> {
-  zonal::EdgeRules rules{N, edge_tolerance};
-
   template <class Wide, class Sink>
   ZONAL_INLINE void operator()(const Wide& light, const Lanes (&at)[3], Sink&& sink) const {
-    float arcs[zonal::kNativeLanes];
-    zonal::largest_arc(light, glm::vec<3, Lanes>(at[0], at[1], at[2])).store(arcs);
-    const double arc = static_cast<double>(*std::max_element(std::begin(arcs), std::end(arcs)));
-    zonal::finish<N>(zonal::polygon_sums<N>(light, rules.for_arc(arc), at[0], at[1], at[2]),
+    const auto demand = zonal::edge_demand<N>(light, edge_tolerance, at[0], at[1], at[2]);
+    float reaches[zonal::kNativeLanes], allowances[zonal::kNativeLanes];
+    demand.reach.store(reaches);
+    demand.allowance.store(allowances);
+    const float reach = *std::max_element(std::begin(reaches), std::end(reaches)),
+                allowance = *std::min_element(std::begin(allowances), std::end(allowances));
+    const int nodes = zonal::edge_nodes(N, static_cast<double>(reach), static_cast<double>(allowance));
+    zonal::finish<N>(zonal::polygon_sums<N>(light, zonal::edge_rule(nodes), at[0], at[1], at[2]),
                      [&](auto l, auto m, const Lanes& value, const auto&...) ZONAL_INLINE { sink(l, m, value); });
   }
 };

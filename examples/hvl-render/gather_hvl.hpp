@@ -27,7 +27,7 @@ constexpr bool contains(const std::array<int, Size>& numbers, int number) {
 /// report's quick data ask for.
 constexpr bool is_compiled([[maybe_unused]] zonal::Horizon horizon, int bands, int emission_bands) {
 #ifdef ZONAL_QUICK
-  if (emission_bands != 3 || (horizon == zonal::Horizon::exact ? bands != 5 : bands % 2 == 0 || bands == 1))
+  if (emission_bands != 3 || (horizon != zonal::Horizon::smoothstep ? bands != 5 : bands % 2 == 0 || bands == 1))
     return false;
 #endif
   return contains(compiled_bands, bands) && contains(compiled_emission_bands, emission_bands);

@@ -1,4 +1,5 @@
-// A grid filled in packets, four lights at a time, against each light at each vertex by itself, in double.
+// A grid filled in packets, four lights at a time, against each light at each vertex by itself, in double. (The
+// gradient as far as a cell takes it: beside_light_test.cpp.)
 #include <zonal/grid/add_lights.hpp>
 #include <zonal/grid/add_polygons.hpp>
 #include <zonal/light/point.hpp>
@@ -28,11 +29,24 @@ glm::vec<3, T> random_point(std::mt19937& random, T low, T high) {
   return {x, y, z};
 }
 
+template <int V>
+auto limited(const zonal::PolygonLight<V, double>& light, const glm::dvec3& x, double) {
+  return zonal::project_with_gradient<N>(light, x);
+}
+auto limited(const zonal::DirectionalLight<double>& light, const glm::dvec3& x, double) {
+  return zonal::project_with_gradient<N>(light, x);
+}
+template <class Light>
+auto limited(const Light& light, const glm::dvec3& x, double cell) {
+  return zonal::project_with_limited_gradient<N>(light, x, cell);
+}
+
 template <class Light, class Widen, class Add>
 void check(const std::vector<zonal::ColouredLight<Light>>& lights, const glm::ivec3& resolution, Widen widen,
            double tolerance, Add add) {
   zonal::CoefficientGrid<N> grid({-1, -1, -1}, {1, 2, 0.5F}, resolution);
   add(grid);
+  const double cell = static_cast<double>(std::max({grid.spacing().x, grid.spacing().y, grid.spacing().z}));
   for (int k = 0; k < resolution.z; ++k) {
     for (int j = 0; j < resolution.y; ++j) {
       for (int i = 0; i < resolution.x; ++i) {
@@ -41,7 +55,7 @@ void check(const std::vector<zonal::ColouredLight<Light>>& lights, const glm::iv
         for (int c = 0; c < 3; ++c) {
           zonal::ShGradient<N, double> expected{};
           for (const auto& light : lights) {
-            const auto one = zonal::project_with_gradient<N>(widen(light.light), glm::dvec3(grid.position(vertex)));
+            const auto one = limited(widen(light.light), glm::dvec3(grid.position(vertex)), cell);
             const auto colour = static_cast<double>(light.colour[c]);
             expected.value += one.value * colour;
             for (int a = 0; a < 3; ++a) expected.gradient[a] += one.gradient[a] * colour;
@@ -220,6 +234,84 @@ TEST_CASE("grid from polygons: a uniform light is its outline, however finely it
   for (std::size_t i = 0; i < whole.size(); ++i) {
     CAPTURE(i);
     REQUIRE(std::abs(whole.data()[i] - cut.data()[i]) <= 2e-6F * largest);
+  }
+}
+
+TEST_CASE("grid from polygons: begun at a straight corner, not convex, or without an area") {
+  using Quad = zonal::PolygonLight<4, float>;
+  const auto grid_of = [](const auto& lights) {
+    zonal::CoefficientGrid<N> grid({-1, -1, 0.5F}, {1, 1, 2}, {3, 3, 3});
+    zonal::add_lights(grid, lights, 1e-6, serially);
+    return grid;
+  };
+  const auto check_same = [](const auto& a, const auto& b) {
+    float largest = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a.data()[i]));
+    REQUIRE(largest > 0.1F);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      CAPTURE(i);
+      REQUIRE(std::abs(a.data()[i] - b.data()[i]) <= 4e-6F * largest);
+    }
+  };
+  const glm::vec3 colour(1, 2, 0.5F);
+  const std::vector<zonal::ColouredLight<zonal::TriangleLight<float>>> triangle{
+      {{{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}}, colour}};
+  const auto expected = grid_of(triangle);
+  const glm::vec3 corners[] = {{-1, -1, 0}, {0, -1, 0}, {1, -1, 0}, {0, 1, 0}};
+  for (int start = 0; start < 4; ++start) {
+    Quad quad;
+    for (int i = 0; i < 4; ++i) quad.vertices[i] = corners[(start + i) % 4];
+    CAPTURE(start);
+    check_same(expected, grid_of(std::vector<zonal::ColouredLight<Quad>>{{quad, colour}}));
+  }
+
+  // An arrow begun at its notch, and as two triangles.
+  const std::vector<zonal::ColouredLight<Quad>> arrow{{{{{-0.5F, 0, 0}, {-1, -1, 0}, {1, 0, 0}, {-1, 1, 0}}}, colour}};
+  const std::vector<zonal::ColouredLight<zonal::TriangleLight<float>>> parts{
+      {{{{-0.5F, 0, 0}, {-1, -1, 0}, {1, 0, 0}}}, colour}, {{{{-0.5F, 0, 0}, {1, 0, 0}, {-1, 1, 0}}}, colour}};
+  check_same(grid_of(parts), grid_of(arrow));
+
+  // What has no area adds nothing, wherever it is: at a vertex of the grid, too.
+  auto with_nothing = triangle;
+  with_nothing.push_back({{{{0, 0, 0.5F}, {0, 0, 0.5F}, {1, 0, 2}}}, colour});
+  with_nothing.push_back({{{{0, 0, 0.5F}, {0, 0, 0.5F}, {0, 0, 0.5F}}}, colour});
+  check_same(expected, grid_of(with_nothing));
+  std::vector<zonal::ColouredLight<zonal::TriangleSphereLight<float>>> spheres;
+  for (const auto& light : with_nothing) {
+    spheres.push_back({zonal::TriangleSphereLight<float>::approximate(light.light), light.colour});
+  }
+  zonal::CoefficientGrid<N> with({-1, -1, 0.5F}, {1, 1, 2}, {3, 3, 3}), without = with;
+  zonal::add_lights(with, spheres, serially);
+  spheres.resize(1);
+  zonal::add_lights(without, spheres, serially);
+  for (std::size_t i = 0; i < with.size(); ++i) REQUIRE(with.data()[i] == without.data()[i]);
+}
+
+TEST_CASE("grid from polygons: the tolerance is held against the sum of all lights") {
+  std::mt19937 random(69);
+  std::vector<zonal::ColouredLight<zonal::TriangleLight<float>>> lights;
+  for (int i = 0; i < 12; ++i) {
+    const glm::vec3 corner = random_point(random, -1.0F, 1.0F) + glm::vec3(0, 0, 1.6F);
+    lights.push_back(
+        {{{corner, corner + random_point(random, -0.7F, 0.7F), corner + random_point(random, -0.7F, 0.7F)}},
+         random_point(random, 0.0F, 2.0F)});
+  }
+  const glm::ivec3 resolution(3, 3, 3);
+  zonal::CoefficientGrid<N> exact({-1, -1, -1}, {1, 1, 1}, resolution);
+  zonal::add_lights(exact, lights, 1e-7, serially);
+  for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
+    zonal::CoefficientGrid<N> grid({-1, -1, -1}, {1, 1, 1}, resolution);
+    zonal::add_lights(grid, lights, tolerance, serially);
+    for (int vertex = 0; vertex < 27; ++vertex) {
+      const glm::ivec3 at(vertex % 3, vertex / 3 % 3, vertex / 9);
+      const auto got = grid.value(at), expected = exact.value(at);
+      for (int i = 0; i < N * N; ++i) {
+        for (int c = 0; c < 3; ++c) {
+          CAPTURE(tolerance, vertex, i, c);
+          REQUIRE(std::abs(got[i][c] - expected[i][c]) <= (static_cast<float>(tolerance) + 2e-5F) * expected[0][c]);
+        }
+      }
+    }
   }
 }
 

@@ -7,7 +7,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <tuple>
 #include <vector>
 
@@ -65,13 +67,16 @@ LightEdges edges_of(const std::vector<ColouredLight<PolygonLight<V, float>>>& li
   return result;
 }
 
-inline bool is_zero_everywhere(const VertexLanes (&rgb)[3]) {
+inline float least_of(const VertexLanes& x) {
   float lanes[kNativeLanes];
-  for (const VertexLanes& channel : rgb) {
-    channel.store(lanes);
-    if (std::any_of(lanes, lanes + kNativeLanes, [](float x) { return x != 0; })) return false;
-  }
-  return true;
+  x.store(lanes);
+  return *std::min_element(lanes, lanes + kNativeLanes);
+}
+
+inline bool is_zero_everywhere(const VertexLanes& x) {
+  float lanes[kNativeLanes];
+  x.store(lanes);
+  return std::all_of(lanes, lanes + kNativeLanes, [](float lane) { return is_equal(lane, 0.0F); });
 }
 
 // The sums over all edges for a packet of vertices, RGB. Two edges are integrated at once, which halves the traffic to
@@ -86,57 +91,67 @@ class PolygonLightSums {
     for (auto& sums : sums_) sums = PolygonSums<N, VertexLanes>::zero();
   }
 
-  void add_solid_angle(const VertexLanes& solid_angle, const glm::vec3& colour) {
-    for (int c = 0; c < 3; ++c) add_product(sums_[c].solid_angle, solid_angle, VertexLanes(colour[c]));
+  void add_solid_angle(const VertexLanes& solid_angle, const VertexLanes& outline_length, const glm::vec3& colour) {
+    for (int c = 0; c < 3; ++c) {
+      add_product(sums_[c].solid_angle, solid_angle, VertexLanes(colour[c]));
+      add_product(outline_lengths_[c], outline_length, VertexLanes(std::abs(colour[c])));
+    }
+  }
+
+  // Once all polygons' solid angles are known: the error that each radian of an edge may have at any of the vertices.
+  float allowance(double tolerance) const {
+    float least = (std::numeric_limits<float>::max)();
+    for (int c = 0; c < 3; ++c) {
+      if (is_zero_everywhere(outline_lengths_[c])) continue;
+      least = (std::min)(least, least_of(edge_allowance(sums_[c].solid_angle, outline_lengths_[c], tolerance)));
+    }
+    return least;
   }
 
   // `jump` is the radiance to the left of each edge less that to the right, RGB.
-  void add(const LightEdge* const (&edges)[edges_at_once], const Edges (&jump)[3], const EdgeRules& rules,
+  void add(const LightEdge* const (&edges)[edges_at_once], const Edges (&jump)[3], float allowance,
            const Edges (&receiver)[3]) {
     Edges p[3], q[3], edge[3];
     for (int i = 0; i < 3; ++i) {
-      const float from[edges_at_once] = {edges[0]->from[i], edges[1]->from[i]};
-      const float to[edges_at_once] = {edges[0]->to[i], edges[1]->to[i]};
-      const float along[edges_at_once] = {to[0] - from[0], to[1] - from[1]};
-      p[i] = Edges::template blocks<edges_at_once>(from) - receiver[i];
-      q[i] = Edges::template blocks<edges_at_once>(to) - receiver[i];
+      const float start[edges_at_once] = {edges[0]->from[i], edges[1]->from[i]};
+      const float end[edges_at_once] = {edges[0]->to[i], edges[1]->to[i]};
+      const float along[edges_at_once] = {end[0] - start[0], end[1] - start[1]};
+      p[i] = Edges::template blocks<edges_at_once>(start) - receiver[i];
+      q[i] = Edges::template blocks<edges_at_once>(end) - receiver[i];
       edge[i] = Edges::template blocks<edges_at_once>(along);
     }
-    float cosines[edges_at_once * kNativeLanes];
-    arc_cosine(p, q).store(cosines);
-    const float arc = acos(*std::min_element(cosines, cosines + edges_at_once * kNativeLanes));
+    const auto from = SeenPoint<Edges>::at(p), to = SeenPoint<Edges>::at(q);
+    float reaches[edges_at_once * kNativeLanes];
+    edge_reach<N>(from, to, arc_bound(from, to)).store(reaches);
+    const float reach = *std::max_element(reaches, reaches + edges_at_once * kNativeLanes);
+    const int nodes = edge_nodes(N, static_cast<double>(reach), static_cast<double>(allowance));
 
     EdgeIntegrals<N, Edges> integrals;
-    integrate_edge<N>(p, edge, q, rules.for_arc(static_cast<double>(arc)), integrals);
+    integrate_edge<N>(from, edge, to, edge_rule(nodes), integrals);
     for (int c = 0; c < 3; ++c) {
       add_edge<N>(integrals, jump[c], sums_[c]);
     }
   }
 
-  /// The results: sink(l, m, colour, value, d/dx, d/dy, d/dz), colour 0 to 2.
-  template <class Sink>
-  void finish(Sink&& sink) const {
-    for (int c = 0; c < 3; ++c) {
-      zonal::finish<N>(sums_[c], [&](auto l, auto m, const VertexLanes& value, const VertexLanes& x,
-                                     const VertexLanes& y, const VertexLanes& z) { sink(l, m, c, value, x, y, z); });
-    }
-  }
+  /// The sums of a colour, 0 to 2.
+  const PolygonSums<N, VertexLanes>& operator[](int colour) const { return sums_[colour]; }
 
  private:
   PolygonSums<N, VertexLanes> sums_[3];
+  VertexLanes outline_lengths_[3] = {VertexLanes(0), VertexLanes(0), VertexLanes(0)};
 };
 
 }  // namespace detail
 
-/// Adds polygon lights of RGB radiance to the grid: value and gradient at every vertex, each edge within `tolerance` of
-/// its polygon's largest coefficient (edge_nodes). for_each as in add_lights.hpp.
+/// Adds polygon lights of RGB radiance, not negative, to the grid: value and gradient at every vertex. Greatest error,
+/// next to rounding, with e = `tolerance` times the sum of all lights' coefficients of degree 0 there, in each channel:
+/// of a coefficient e, of the gradient 4 e over the distance to the nearest edge. for_each as in add_lights.hpp.
 template <int N, int V, class ForEach>
 void add_lights(CoefficientGrid<N>& grid, const std::vector<ColouredLight<PolygonLight<V, float>>>& lights,
                 double tolerance, ForEach&& for_each) {
   using detail::VertexLanes;
   using Sums = detail::PolygonLightSums<N>;
   using Edges = typename Sums::Edges;
-  const EdgeRules rules(N, tolerance);
   const detail::LightEdges light_edges = detail::edges_of(lights);
   for_each(detail::vertex_packet_count(grid), [&](int packet) {
     const detail::VertexPacket<N> vertices(grid, static_cast<std::size_t>(packet));
@@ -144,10 +159,12 @@ void add_lights(CoefficientGrid<N>& grid, const std::vector<ColouredLight<Polygo
 
     std::vector<VertexLanes> side(lights.size());
     for (std::size_t i = 0; i < lights.size(); ++i) {
-      const auto view = detail::view(detail::SeenPolygon<V, VertexLanes>(lights[i].light, vertices.position));
+      const detail::SeenPolygon<V, VertexLanes> seen(lights[i].light, vertices.position);
+      const auto view = detail::view(seen);
       side[i] = view.side;
-      sums.add_solid_angle(view.solid_angle, lights[i].colour);
+      sums.add_solid_angle(view.solid_angle, detail::outline<N>(seen).length, lights[i].colour);
     }
+    const float allowance = sums.allowance(tolerance);
 
     Edges receiver[3];
     for (int i = 0; i < 3; ++i) receiver[i] = vertices.position[i].template repeated<Sums::edges_at_once>();
@@ -158,7 +175,7 @@ void add_lights(CoefficientGrid<N>& grid, const std::vector<ColouredLight<Polygo
       const Edges jump[3] = {Edges::template side_by_side<Sums::edges_at_once>(jumps[0]),
                              Edges::template side_by_side<Sums::edges_at_once>(jumps[1]),
                              Edges::template side_by_side<Sums::edges_at_once>(jumps[2])};
-      sums.add(pending, jump, rules, receiver);
+      sums.add(pending, jump, allowance, receiver);
       count = 0;
     };
     for (const detail::LightEdge& edge : light_edges.edges) {
@@ -168,7 +185,7 @@ void add_lights(CoefficientGrid<N>& grid, const std::vector<ColouredLight<Polygo
         const glm::vec3 colour = use.direction * lights[use.polygon].colour;
         for (int c = 0; c < 3; ++c) add_product(jump[c], side[use.polygon], VertexLanes(colour[c]));
       }
-      if (detail::is_zero_everywhere(jump)) continue;
+      if (std::all_of(jump, jump + 3, detail::is_zero_everywhere)) continue;
       pending[count] = &edge;
       for (int c = 0; c < 3; ++c) jumps[c][count] = jump[c];
       if (++count == Sums::edges_at_once) add_pending();
@@ -178,8 +195,12 @@ void add_lights(CoefficientGrid<N>& grid, const std::vector<ColouredLight<Polygo
       for (auto& channel : jumps) channel[1] = VertexLanes(0);
       add_pending();
     }
-    sums.finish([&](auto l, auto m, int c, const VertexLanes& value, const VertexLanes& x, const VertexLanes& y,
-                    const VertexLanes& z) { vertices.add(grid, 3 * sh_index(l, m) + c, value, x, y, z); });
+    for (int c = 0; c < 3; ++c) {
+      Sh<N, VertexLanes> value;
+      finish(sums[c], value);
+      const auto& slope = sums[c].slope;
+      for (int i = 0; i < N * N; ++i) vertices.add(grid, 3 * i + c, value[i], slope[0][i], slope[1][i], slope[2][i]);
+    }
   });
 }
 

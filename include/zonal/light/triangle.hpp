@@ -4,6 +4,10 @@
 // [1] Mezieres et al., Recursive analytic spherical harmonics gradient for spherical lights, CGF 41(2), 2022.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include <glm/geometric.hpp>
 
 #include "polygon.hpp"
@@ -19,12 +23,18 @@ struct TriangleSphereLight {
   glm::vec<3, T> center, normal;
   T radius;
 
-  /// [1] Eq. 24, 25. The triangle must have an area.
+  /// [1] Eq. 24, 25. A triangle without an area, or of edges below 1e-35 in float, gives no light.
   static TriangleSphereLight approximate(const TriangleLight<T>& triangle) {
     const auto& p = triangle.vertices;
-    const glm::vec<3, T> area = glm::cross(p[1] - p[0], p[2] - p[0]);
+    const glm::vec<3, T> ab = p[1] - p[0], ac = p[2] - p[0];
+    // Edges over the longest, so that neither their squares nor those of the area leave the range of T.
+    T size = (std::numeric_limits<T>::min)() / std::numeric_limits<T>::epsilon();
+    for (int i = 0; i < 3; ++i) size = (std::max)({size, std::abs(ab[i]), std::abs(ac[i])});
+    const glm::vec<3, T> area = glm::cross(ab / size, ac / size);
     const T twice = std::sqrt(glm::dot(area, area));
-    return {(p[0] + p[1] + p[2]) / T(3), area / twice, std::sqrt(twice / T(2 * kPi))};
+    const glm::vec<3, T> center = p[0] + (ab + ac) / T(3);
+    if (!(twice > T(0))) return {center, {T(0), T(0), T(1)}, T(0)};
+    return {center, area / twice, size * std::sqrt(twice / T(2 * kPi))};
   }
 
   template <int N, class R>

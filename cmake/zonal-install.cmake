@@ -7,7 +7,8 @@ install(TARGETS zonal EXPORT zonal-targets)
 install(EXPORT zonal-targets NAMESPACE zonal:: DESTINATION ${package_dir} COMPONENT zonal)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/zonal DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT zonal)
 
-configure_package_config_file(cmake/zonal-config.cmake.in zonal-config.cmake INSTALL_DESTINATION ${package_dir})
+configure_package_config_file(cmake/zonal-config.cmake.in zonal-config.cmake INSTALL_DESTINATION ${package_dir}
+  PATH_VARS CMAKE_INSTALL_BINDIR)
 configure_file(cmake/zonal-config-version.cmake.in zonal-config-version.cmake @ONLY)
 install(FILES
     ${CMAKE_CURRENT_BINARY_DIR}/zonal-config.cmake

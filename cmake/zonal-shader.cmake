@@ -1,22 +1,40 @@
 # zonal_add_shader(<target> OUTPUT <file> FUNCTIONS <name>... [BANDS <n>] [DIALECT <dialect>] [OPTIONS <option>...])
 #
-# Writes a file of shader functions by zonal-glsl when <target> is built, and puts its folder on the target's include
-# path. The program is the one built beside zonal, or one that is installed.
+# Writes a file of shader functions by zonal-glsl when <target>, of the same folder, is built, and puts the file's folder
+# on the target's include path. A target may have several: what they have in common is guarded. A <name> may have a number
+# of bands of its own, evaluate@3; an <option> is one of zonal-glsl, such as --precise.
+#
+# The program is that of the variable ZONAL_GLSL; else the one built with zonal, by add_subdirectory and FetchContent as
+# well; else the one installed with the package; else one on the path. Where a program just built cannot run, when
+# compiling for another machine, it is never the second.
 function(zonal_add_shader target)
   cmake_parse_arguments(PARSE_ARGV 1 shader "" "OUTPUT;BANDS;DIALECT" "FUNCTIONS;OPTIONS")
   if(NOT shader_OUTPUT OR NOT shader_FUNCTIONS OR shader_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "zonal_add_shader(<target> OUTPUT <file> FUNCTIONS <name>... [BANDS <n>] [DIALECT <dialect>])")
+    message(FATAL_ERROR "zonal_add_shader(<target> OUTPUT <file> FUNCTIONS <name>... [BANDS <n>] [DIALECT <dialect>] "
+      "[OPTIONS <option>...])")
   endif()
-  if(NOT shader_BANDS)
-    set(shader_BANDS 5)
+  if(shader_BANDS)
+    list(PREPEND shader_OPTIONS --bands ${shader_BANDS})
   endif()
   if(NOT shader_DIALECT)
     set(shader_DIALECT glsl450)
   endif()
-  if(TARGET zonal-glsl)
+  if(ZONAL_GLSL)
+    set(program ${ZONAL_GLSL})
+  elseif(TARGET zonal-glsl AND NOT CMAKE_CROSSCOMPILING)
     set(program zonal-glsl)
+  elseif(TARGET zonal::zonal-glsl)
+    set(program zonal::zonal-glsl)
   else()
-    find_program(ZONAL_GLSL zonal-glsl REQUIRED)
+    find_program(ZONAL_GLSL zonal-glsl)
+    mark_as_advanced(ZONAL_GLSL)
+    if(NOT ZONAL_GLSL)
+      get_property(missing GLOBAL PROPERTY zonal_glsl_missing)
+      if(missing)
+        set(missing ": it is not built with zonal, for want of ${missing}")
+      endif()
+      message(FATAL_ERROR "zonal_add_shader finds no program zonal-glsl${missing}. Set ZONAL_GLSL to its path.")
+    endif()
     set(program ${ZONAL_GLSL})
   endif()
   cmake_path(ABSOLUTE_PATH shader_OUTPUT BASE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
@@ -24,7 +42,7 @@ function(zonal_add_shader target)
   list(JOIN shader_FUNCTIONS "," names)
   add_custom_command(OUTPUT ${shader_OUTPUT}
     COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
-    COMMAND ${program} --bands ${shader_BANDS} --functions ${names} --dialect ${shader_DIALECT} ${shader_OPTIONS}
+    COMMAND ${program} --functions ${names} --dialect ${shader_DIALECT} ${shader_OPTIONS}
       -o ${shader_OUTPUT}
     DEPENDS ${program}
     COMMENT "Writing ${shader_OUTPUT}"

@@ -9,7 +9,7 @@ zonal_preset="${zonal_preset:-release}"
 zonal_build="$zonal_root/build/$zonal_preset"
 zonal_packages=(
   g++ cmake ninja-build libeigen3-dev libglm-dev libembree-dev libtbb-dev libcli11-dev nlohmann-json3-dev
-  libtinyobjloader-dev libstb-dev libopenexr-dev
+  libstb-dev libopenexr-dev
 )
 # For tests and benchmarks; the second line is for shaders: a driver, and compilers.
 zonal_test_packages=(

@@ -1,13 +1,23 @@
-// The gather of virtual lights, one receiver per invocation: the indirect light of Harmonics Virtual Lights.
+// The gather of virtual lights, one receiver per invocation: the indirect light of Harmonics Virtual Lights. OpenGL 4.5
+// and Vulkan; the functions: zonal-glsl --functions gather@5 -o zonal_gather.glsl
 #version 450
+#extension GL_GOOGLE_include_directive : enable
 layout(local_size_x = 64) in;
+
+// Which loop, and its number of bands.
+#ifndef GATHER
+#define GATHER zonal_gather_5
+#define BANDS 5
+#endif
 
 layout(std430, binding = 0) readonly buffer Lights { float lights[]; };        // 22 floats each: HvlRecord<3, float>
 layout(std430, binding = 1) readonly buffer Receivers { float receiver[]; };  // position, normal, tangent
 layout(std430, binding = 2) readonly buffer Material { float material[]; };   // F of m >= 0, RGB, one row per receiver
 layout(std430, binding = 3) writeonly buffer Image { float radiance[]; };
-uniform uint light_count;
-uniform uint receiver_count;
+layout(std140, binding = 4) uniform Sizes {
+  uint light_count;
+  uint receiver_count;
+};
 
 #define ZONAL_LIGHT(i) lights[i]
 #include "zonal_gather.glsl"

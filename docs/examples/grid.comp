@@ -1,21 +1,31 @@
-// Fills a grid of coefficients and gradients from sphere lights, one vertex and colour channel per invocation.
+// Fills a grid of coefficients and gradients from sphere lights, one vertex and colour channel per invocation. OpenGL 4.5
+// and Vulkan; the functions: zonal-glsl --functions sum_lights@5 -o zonal_grid.glsl
 #version 450
+#extension GL_GOOGLE_include_directive : enable
 layout(local_size_x = 16, local_size_y = 3) in;
+
+// Which loop, and its number of bands.
+#ifndef SUM_LIGHTS
+#define SUM_LIGHTS zonal_sum_lights_5
+#define BANDS 5
+#endif
 
 layout(std430, binding = 0) readonly buffer Lights { float lights[]; };  // center, radius, colour
 layout(std430, binding = 1) writeonly buffer Grid { float grid[]; };    // as CoefficientGrid::data()
-uniform uint light_count;
-uniform uint vertices_x, vertices_y, vertices_z;
-uniform vec3 low;
-uniform vec3 spacing;
+layout(std140, binding = 2) uniform Sizes {
+  uvec3 vertices;
+  uint light_count;
+  vec3 low;
+  vec3 spacing;
+};
 
 #define ZONAL_LIGHT(i) lights[i]
 #include "zonal_grid.glsl"
 
 void main() {
   uint vertex = gl_GlobalInvocationID.x, channel = gl_GlobalInvocationID.y;
-  if (vertex >= vertices_x * vertices_y * vertices_z) return;
-  uvec3 place = uvec3(vertex % vertices_x, vertex / vertices_x % vertices_y, vertex / (vertices_x * vertices_y));
+  if (vertex >= vertices.x * vertices.y * vertices.z) return;
+  uvec3 place = uvec3(vertex % vertices.x, vertex / vertices.x % vertices.y, vertex / (vertices.x * vertices.y));
   precise vec3 position = low + vec3(place) * spacing;
 
   float value[BANDS * BANDS];

@@ -29,6 +29,7 @@ void set_brightness(SphereLights& lights, float distance) {
     const glm::dvec3 rgb(colour);
     sum += static_cast<double>(light.radius * light.radius) * (rgb.r + rgb.g + rgb.b) / 3.0;
   }
+  if (!(sum >= 1e-25)) throw InputError("the lights are too dark");
   const auto factor = static_cast<float>(static_cast<double>(distance * distance) / sum);
   for (auto& light : lights) light.colour *= factor;
 }

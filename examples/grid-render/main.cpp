@@ -78,7 +78,8 @@ class PictureRenderer {
 
   void shade(Pass& pass, const LightField& field, const PrimaryHits& hits) {
     const auto radiance = [&](const Hit& hit, std::size_t) {
-      return field.reflected(hit, towards_camera(scene_, hit), reflectors_[hit.material]);
+      return scene_.materials[hit.material].emission +
+             field.reflected(hit, towards_camera(scene_, hit), reflectors_[hit.material]);
     };
     StageTimes times;
     times.time(pass.name, [&] { add_radiance(pass.picture, hits, stage(pass.name.c_str(), cost_of(pass)), radiance); });
@@ -97,6 +98,7 @@ void finish(Report& report) {
   std::vector<Image*> pictures;
   for (Pass& pass : report.passes) pictures.push_back(&pass.picture);
   report.counts.pixels_not_finite = repair(program_name, pictures);
+  warn_if_black(program_name, report.passes.front().picture, report.counts.primary_hits);
   for (Comparison& comparison : report.comparisons) {
     const Image& reference = report.passes[comparison.reference].picture;
     comparison.errors = compare(report.passes[comparison.picture].picture, reference, report.options.display);

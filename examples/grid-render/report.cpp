@@ -18,7 +18,8 @@ Row pass_cells(const Pass& pass) {
 }
 
 Row error_cells(const ImageErrors& errors) {
-  return {format("%.3f", 1e3 * errors.mae), format("%.3f", 1e3 * errors.linear_mae), format("%.2f", errors.psnr)};
+  return {number_text("%.3f", 1e3 * errors.mae), number_text("%.3f", 1e3 * errors.linear_mae),
+          number_text("%.2f", errors.psnr)};
 }
 
 const Row pass_titles{"", "grid", "MiB", "grid, ms", "shading, ms"};
@@ -42,7 +43,7 @@ std::string interpolation_table(const Report& report) {
   rows.push_back(joined(pass_cells(reference), {"-", "-", "-", "-"}));
   for (const Comparison& comparison : report.comparisons) {
     const Pass& pass = report.passes[comparison.picture];
-    const Row speed_up{format("%.1f", reference.total() / pass.total())};
+    const Row speed_up{number_text("%.1f", reference.total() / pass.total())};
     rows.push_back(joined(joined(pass_cells(pass), speed_up), error_cells(comparison.errors)));
   }
   return align(rows);
@@ -91,8 +92,8 @@ std::string table(const Report& report) {
   text += format("MAE: of display values, and of radiance; pictures of differences: display values x %.0f.\n",
                  static_cast<double>(difference_factor));
   if (options.comparing_shapes) return text;
-  return text + format("Values alone would have some %.1f vertices on an axis in the time of values and gradients.\n",
-                       equal_time_resolution(report));
+  return text + "Values alone would have some " + number_text("%.1f", equal_time_resolution(report)) +
+         " vertices on an axis in the time of values and gradients.\n";
 }
 
 }  // namespace example::grid_render

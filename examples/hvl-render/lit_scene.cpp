@@ -12,7 +12,7 @@ void apply(const LightOverrides& overrides, const glm::vec3& default_target, Spo
   light.half_angle = overrides.half_angle.value_or(light.half_angle);
   if (overrides.position || overrides.target) {
     const glm::vec3 target = overrides.target.value_or(default_target);
-    if (target == light.position) throw InputError("--light and --light-target are the same point");
+    if (is_same_point(target, light.position)) throw InputError("--light and --light-target are the same point");
     light.axis = glm::normalize(target - light.position);
   }
   if (overrides.power) light.intensity = glm::vec3(*overrides.power / light.effective_solid_angle());

@@ -128,7 +128,8 @@ class SliceRenderer {
 
   void add_direct_light(Image& image, const PrimaryHits& hits) {
     const auto radiance = [&](const Hit& hit, std::size_t) {
-      return direct_radiance(renderers_.scene, renderers_.caster, hit, towards_camera(renderers_.scene, hit));
+      return renderers_.scene.materials[hit.material].emission +
+             direct_radiance(renderers_.scene, renderers_.caster, hit, towards_camera(renderers_.scene, hit));
     };
     report_.times.time(stage_name::direct,
                        [&] { add_radiance(image, hits, stage(stage_name::direct, costs_.direct), radiance); });
@@ -197,6 +198,11 @@ void run(const Options& options) {
 
   Pictures pictures = render(renderers, report);
   report.counts.pixels_not_finite = repair(program_name, {&pictures.lights, &pictures.path});
+  const bool black =
+      warn_if_black(program_name, renderers.gatherer ? pictures.lights : pictures.path, report.counts.primary_hits);
+  if (!black && renderers.gatherer && report.counts.virtual_lights == 0) {
+    warn(program_name, "the light falls on nothing: there are no virtual lights");
+  }
   if (options.comparing()) report.errors = compare(pictures.lights, pictures.path, options.display);
   if (reference)
     report.errors = compare(renderers.gatherer ? pictures.lights : pictures.path, *reference, options.display);

@@ -90,7 +90,7 @@ void apply(const std::vector<MaterialChange>& changes, std::vector<Material>& ma
     bool found = false;
     for (Material& material : materials) {
       if (change.name != "*" && change.name != material.name) continue;
-      material = {material.name, changed.brdf, changed.file};
+      material = {material.name, changed.brdf, changed.file, material.emission};
       found = true;
     }
     if (found) continue;

@@ -1,7 +1,6 @@
 #include "report.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "option_names.hpp"
 #include "shared/text_table.hpp"
@@ -28,10 +27,10 @@ void add_shared(Column& column, const StageTimes& times, double own_seconds) {
 }
 
 void add_errors(Column& column, const ImageErrors& errors) {
-  column.rmse = format("%.4f", errors.rmse);
-  column.linear_rmse = format("%.4f", errors.linear_rmse);
-  column.psnr = format("%.2f", errors.psnr);
-  if (std::isfinite(errors.ssim)) column.ssim = format("%.4f", errors.ssim);
+  column.rmse = number_text("%.4f", errors.rmse);
+  column.linear_rmse = number_text("%.4f", errors.linear_rmse);
+  column.psnr = number_text("%.2f", errors.psnr);
+  column.ssim = number_text("%.4f", errors.ssim);
 }
 
 Column lights_column(const Report& report) {

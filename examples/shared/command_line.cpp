@@ -70,9 +70,10 @@ CLI::Option* add_point(CLI::App& app, const std::string& name, std::optional<glm
                        const std::string& help) {
   const auto assign = [&point, name](const std::string& text) {
     std::array<float, 3> parsed{};
-    const auto finite = [](float coordinate) { return std::isfinite(coordinate); };
-    if (!parse_numbers(text, ',', parsed) || !std::all_of(parsed.begin(), parsed.end(), finite))
-      throw CLI::ValidationError(name, "'" + text + "' is not a point x,y,z");
+    // As in OBJ files: beyond, squares are no floats.
+    const auto possible = [](float coordinate) { return std::abs(coordinate) <= 1e8f; };
+    if (!parse_numbers(text, ',', parsed) || !std::all_of(parsed.begin(), parsed.end(), possible))
+      throw CLI::ValidationError(name, "'" + text + "' is not a point x,y,z of coordinates up to 1e8");
     point = glm::vec3(parsed[0], parsed[1], parsed[2]);
   };
   return app.add_option_function<std::string>(name, assign, help)->type_name("X,Y,Z");
@@ -127,7 +128,11 @@ void add_scene_options(CLI::App& app, CommonOptions& options) {
       ->capture_default_str()
       ->group(scene_group);
   app.add_flag_callback(
-         "--no-stage", [&options] { options.stage = false; }, "Show an OBJ alone, not on a floor before two walls")
+         "--no-stage", [&options] { options.obj.stage = false; }, "Show an OBJ alone, not on a floor before two walls")
+      ->group(scene_group);
+  add_choice(app, "--up", up_names, options.obj.up, "Which axis of an OBJ points up; it becomes y")->group(scene_group);
+  add_choice(app, "--view", place_names, options.obj.place,
+             "Where an OBJ is seen from; auto is from inside where it is a room")
       ->group(scene_group);
   CameraOverrides& camera = options.camera;
   add_point(app, "--camera", camera.position, "Where the camera is, in metres; y is up")->group(scene_group);

@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 
 #include "image.hpp"
+#include "scene.hpp"
 
 namespace example {
 
@@ -19,7 +20,7 @@ struct CameraOverrides {
 /// What all programs that render offer.
 struct CommonOptions {
   std::string scene = "atrium";
-  bool stage = true;
+  ObjView obj;
   CameraOverrides camera;
 
   int width = 640;

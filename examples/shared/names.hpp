@@ -26,6 +26,9 @@ inline const Names<ToneMap> tone_names{{"filmic", ToneMap::filmic}, {"clamp", To
 inline const Names<AtriumFinish> atrium_names{{"atrium", AtriumFinish::mixed},
                                               {"atrium-diffuse", AtriumFinish::diffuse},
                                               {"atrium-glossy", AtriumFinish::glossy}};
+inline const Names<UpAxis> up_names{{"y", UpAxis::y}, {"z", UpAxis::z}};
+inline const Names<ViewPlace> place_names{
+    {"auto", ViewPlace::automatic}, {"inside", ViewPlace::inside}, {"outside", ViewPlace::outside}};
 inline const Names<zonal::Window> window_names{
     {"none", zonal::Window::none}, {"hann", zonal::Window::hann}, {"sinc", zonal::Window::sinc}};
 

@@ -1,18 +1,18 @@
 // Scenes from Wavefront OBJ files.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
-#include <map>
-#include <optional>
-#include <tuple>
-
-#include <tiny_obj_loader.h>
-#include <glm/gtc/constants.hpp>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "input_error.hpp"
 #include "materials.hpp"
-#include "mesh_builder.hpp"
-#include "obj_check.hpp"
+#include "obj_file.hpp"
+#include "scene_view.hpp"
+#include "text_table.hpp"
 
 namespace example {
 namespace {
@@ -21,201 +21,247 @@ constexpr float least_roughness = 0.03f;
 // Without normals, faces that meet at less than 60 degrees are one smooth surface.
 constexpr float cos_crease = 0.5f;
 
-std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+// ---- Materials ------------------------------------------------------------------------------------------------------
 
-/// GGX alpha: the PBR extension's perceptual roughness squared, or what has the width of a Phong exponent.
-float ggx_roughness(const tinyobj::material_t& source) {
-  const float roughness = source.roughness > 0.0f ? source.roughness * source.roughness
-                                                  : std::sqrt(2.0f / (std::max(source.shininess, 0.0f) + 2.0f));
-  return std::clamp(roughness, least_roughness, 1.0f);
-}
+constexpr float default_exponent = 10.0f;
+constexpr float dielectric = 0.04f;  // the reflectance of what is no metal
 
-Material make_material(const tinyobj::material_t& source) {
-  const glm::vec3 specular =
-      glm::clamp(glm::vec3(source.specular[0], source.specular[1], source.specular[2]), 0.0f, 1.0f);
-  const glm::vec3 given = glm::clamp(glm::vec3(source.diffuse[0], source.diffuse[1], source.diffuse[2]), 0.0f, 1.0f);
+/// What a surface that reflects by illumination model 2 sends back of light along its normal. Ks is how bright the
+/// highlight is, not what is reflected: by the model's own formula a lobe Ks (n.h)^Ns / pi, of which
+/// Ks / pi times the integral of (n.h)^Ns 4 dh remains.
+float highlight_share(float exponent) { return std::min(1.0f, 8.0f / (exponent + 2.0f)); }
+
+Material make_material(const MtlMaterial& source) {
+  const auto share = [](const glm::vec3& colour) { return glm::clamp(colour, 0.0f, 1.0f); };
+  const float exponent = std::max(source.exponent.value_or(default_exponent), 0.0f);
+  // GGX alpha: of the width of the exponent's lobe, or the PBR extension's roughness squared.
+  float roughness = std::sqrt(2.0f / (exponent + 2.0f));
+  glm::vec3 specular = share(source.specular), diffuse = share(source.diffuse);
+  if (source.roughness || source.metallic) {
+    const float metallic = std::clamp(source.metallic.value_or(0.0f), 0.0f, 1.0f);
+    specular = glm::mix(glm::vec3(dielectric), diffuse, metallic);
+    diffuse *= 1.0f - metallic;
+    if (source.roughness) roughness = *source.roughness * *source.roughness;
+  } else if (source.illumination < 2) {
+    specular = glm::vec3(0.0f);
+  } else if (source.illumination == 2) {
+    specular *= highlight_share(exponent);
+  }
   // Many files reflect more than they receive.
-  const glm::vec3 diffuse = glm::min(given, 1.0f - specular);
-  Material material{source.name, {}};
+  diffuse = glm::min(diffuse, 1.0f - specular);
+  Material material{source.name, {}, {}, glm::max(source.emission, 0.0f)};
   if (diffuse != glm::vec3(0.0f)) material.brdf.lobes.push_back(zonal::LambertBrdf{diffuse});
   if (specular != glm::vec3(0.0f)) {
-    material.brdf.lobes.push_back(zonal::GgxBrdf{ggx_roughness(source), zonal::SchlickFresnel{specular}});
+    const float alpha = std::clamp(roughness, least_roughness, 1.0f);
+    material.brdf.lobes.push_back(zonal::GgxBrdf{alpha, zonal::SchlickFresnel{specular}});
   }
   return material;
 }
 
-/// Copies triangles out of tinyobjloader, each pair of position and normal once.
-class ObjMesh {
- public:
-  ObjMesh(const tinyobj::ObjReader& source, Mesh& mesh)
-      : source_(source.GetAttrib()), mesh_(mesh), areas_at_(source_.vertices.size() / 3) {
-    for_each_face(source, [this](const tinyobj::index_t* corners, int) {
-      for (int i = 0; i < 3; ++i) areas_at_[static_cast<std::size_t>(corners[i].vertex_index)].push_back(area(corners));
-    });
-  }
+// ---- Where it stands ------------------------------------------------------------------------------------------------
 
-  void copy(const tinyobj::ObjReader& source, std::uint32_t default_material) {
-    for_each_face(source, [&](const tinyobj::index_t* corners, int material) {
-      glm::uvec3 triangle{};
-      for (int i = 0; i < 3; ++i) {
-        const std::optional<glm::vec3> given = normal(corners[i]);
-        triangle[i] = vertex(position(corners[i]), given ? *given : creased_normal(corners[i], area(corners)));
-      }
-      mesh_.triangles.push_back(triangle);
-      mesh_.triangle_materials.push_back(material < 0 ? default_material : static_cast<std::uint32_t>(material));
-    });
-  }
+/// From the file's coordinates to the scene's, metres with y up, in double.
+struct Placement {
+  glm::dvec3 origin{0.0};
+  double scale = 1.0;
+  UpAxis up = UpAxis::y;
 
- private:
-  /// body(three corners, material) for every triangle that has an area.
-  template <class Body>
-  void for_each_face(const tinyobj::ObjReader& source, const Body& body) const {
-    for (const tinyobj::shape_t& shape : source.GetShapes()) {
-      for (std::size_t face = 0; 3 * face + 2 < shape.mesh.indices.size(); ++face) {
-        const tinyobj::index_t* corners = &shape.mesh.indices[3 * face];
-        const glm::vec3 face_area = area(corners);
-        if (glm::dot(face_area, face_area) > 0.0f) body(corners, shape.mesh.material_ids[face]);
-      }
-    }
-  }
-
-  /// Along the normal, twice as long as the triangle is large.
-  glm::vec3 area(const tinyobj::index_t* corners) const {
-    const glm::vec3 origin = position(corners[0]);
-    return glm::cross(position(corners[1]) - origin, position(corners[2]) - origin);
-  }
-
-  /// The area-weighted mean over the faces about a vertex that go on smoothly from the face at hand.
-  glm::vec3 creased_normal(const tinyobj::index_t& corner, const glm::vec3& face_area) const {
-    const glm::vec3 flat = glm::normalize(face_area);
-    glm::vec3 sum(0.0f);
-    for (const glm::vec3& other : areas_at_[static_cast<std::size_t>(corner.vertex_index)]) {
-      if (glm::dot(flat, glm::normalize(other)) > cos_crease) sum += other;
-    }
-    return glm::normalize(sum);
-  }
-
-  glm::vec3 position(const tinyobj::index_t& corner) const {
-    const auto first = 3 * static_cast<std::size_t>(corner.vertex_index);
-    if (corner.vertex_index < 0 || first + 2 >= source_.vertices.size())
-      throw InputError("a face names a vertex that is not there");
-    return {source_.vertices[first], source_.vertices[first + 1], source_.vertices[first + 2]};
-  }
-
-  std::optional<glm::vec3> normal(const tinyobj::index_t& corner) const {
-    const auto first = 3 * static_cast<std::size_t>(corner.normal_index);
-    if (corner.normal_index < 0 || first + 2 >= source_.normals.size()) return std::nullopt;
-    const glm::vec3 given(source_.normals[first], source_.normals[first + 1], source_.normals[first + 2]);
-    const float length = glm::length(given);
-    if (!(length > 1e-6f) || !std::isfinite(length)) return std::nullopt;
-    return given / length;
-  }
-
-  std::uint32_t vertex(const glm::vec3& point, const glm::vec3& normal) {
-    const auto key = std::make_tuple(point.x, point.y, point.z, normal.x, normal.y, normal.z);
-    const auto [entry, added] = vertices_.try_emplace(key, static_cast<std::uint32_t>(mesh_.positions.size()));
-    if (added) {
-      mesh_.positions.push_back(point);
-      mesh_.normals.push_back(normal);
-    }
-    return entry->second;
-  }
-
-  const tinyobj::attrib_t& source_;
-  Mesh& mesh_;
-  std::vector<std::vector<glm::vec3>> areas_at_;  // of the faces about each vertex of the file
-  std::map<std::tuple<float, float, float, float, float, float>, std::uint32_t> vertices_;
+  glm::dvec3 turned(const glm::dvec3& v) const { return up == UpAxis::y ? v : glm::dvec3(v.x, v.z, -v.y); }
+  glm::vec3 operator()(const glm::dvec3& position) const { return turned((position - origin) * scale); }
 };
 
-void fit_view(Scene& scene, const Bounds& bounds) {
-  const float radius = bounds.radius();
-  const glm::vec3 centre = bounds.centre();
-  scene.camera.target = centre;
-  scene.camera.vertical_field_of_view = glm::radians(40.0f);
-  scene.camera.position = centre + 3.3f * radius * glm::normalize(glm::vec3(0.35f, 0.30f, 1.0f));
-  scene.light.position = centre + 3.2f * radius * glm::normalize(glm::vec3(-0.75f, 0.85f, 0.65f));
-  scene.light.axis = glm::normalize(centre - scene.light.position);
-  scene.light.half_angle = glm::radians(54.0f);
-  scene.light.edge = 0.5f;
-  const glm::vec3 across = glm::normalize(glm::cross(scene.light.axis, glm::vec3(0.0f, 1.0f, 0.0f)));
-  const float distance = glm::distance(centre, scene.light.position);
-  scene.panel = {scene.light.position, radius * across, radius * glm::cross(across, scene.light.axis), distance};
-  // White surfaces that face the light at the target reflect a radiance of about 1.
-  scene.light.intensity = glm::vec3(glm::pi<float>() * distance * distance);
-}
+double power_of_ten_above(double value) { return std::pow(10.0, std::ceil(std::log10(value))); }
 
-/// A floor under the object, a wall behind it, and a coloured wall on the side away from the light.
-void add_stage(Scene& scene, const Bounds& bounds) {
-  const auto floor = static_cast<std::uint32_t>(scene.materials.size());
-  scene.materials.push_back({"stage floor", matte({0.72f, 0.70f, 0.66f})});
-  scene.materials.push_back({"stage back wall", matte({0.30f, 0.45f, 0.66f})});
-  scene.materials.push_back({"stage side wall", matte({0.74f, 0.30f, 0.14f})});
-  const float size = 5.0f * bounds.radius();
-  const float ground = bounds.lower.y;
-  const float back = bounds.lower.z - 0.5f * bounds.radius();
-  const float side = bounds.upper.x + 0.9f * bounds.radius();
-  const float front = bounds.upper.z + size;
-  const float left = bounds.lower.x - size;
-  MeshBuilder builder(scene.mesh);
-  builder.use(floor).quad({left, ground, front}, {side, ground, front}, {side, ground, back}, {left, ground, back});
-  builder.use(floor + 1).quad({left, ground, back}, {side, ground, back}, {side, ground + size, back},
-                              {left, ground + size, back});
-  builder.use(floor + 2).quad({side, ground, back}, {side, ground, front}, {side, ground + size, front},
-                              {side, ground + size, back});
-}
-
-tinyobj::ObjReader read_obj(const std::string& path) {
-  check_is_file(path);
-  const std::string material_file = check_obj(path);
-  tinyobj::ObjReader reader;
-  tinyobj::ObjReaderConfig config;
-  config.triangulate = true;
-  config.vertex_color = false;
-  if (!reader.ParseFromFile(path, config)) {
-    throw InputError(path + ": cannot be read as OBJ" +
-                     (reader.Error().empty() ? "" : " (" + first_line(reader.Error()) + ")"));
+/// Far from the origin a float is too coarse, and the squares of tiny or huge areas are no floats. Other models stay as
+/// they are.
+Placement placement_of(const ObjFile& file, UpAxis up) {
+  glm::dvec3 lower(std::numeric_limits<double>::infinity()), upper = -lower;
+  for (const ObjFile::Triangle& triangle : file.triangles) {
+    for (const ObjFile::Corner& corner : triangle.corners) {
+      lower = glm::min(lower, file.positions[corner.vertex]);
+      upper = glm::max(upper, file.positions[corner.vertex]);
+    }
   }
-  if (!material_file.empty() && reader.GetMaterials().empty()) {
-    throw InputError(path + ": its material file " + material_file + " is missing or has no materials");
-  }
-  return reader;
+  Placement placement;
+  placement.up = up;
+  const glm::dvec3 centre = 0.5 * (lower + upper);
+  const double radius = 0.5 * glm::distance(lower, upper);
+  if (!(radius > 0.0)) return placement;
+  // To a round number, so that coordinates can still be told.
+  const double step = power_of_ten_above(radius);
+  if (glm::length(centre) > 16.0 * radius) placement.origin = glm::round(centre / step) * step;
+  if (radius < 1e-3 || radius > 1e6) placement.scale = 1.0 / step;
+  return placement;
 }
 
-/// What of the file the scene leaves out, a line each.
-std::vector<std::string> losses(const std::string& path, const tinyobj::ObjReader& reader) {
+std::vector<std::string> messages(const std::string& path, const Placement& placement) {
   std::vector<std::string> lines;
-  if (!reader.Warning().empty()) lines.push_back(path + ": " + first_line(reader.Warning()));
-  const auto has_more = [](const tinyobj::material_t& material) {
-    const glm::vec3 emission(material.emission[0], material.emission[1], material.emission[2]);
-    return !material.diffuse_texname.empty() || emission != glm::vec3(0.0f);
-  };
-  const std::vector<tinyobj::material_t>& materials = reader.GetMaterials();
-  if (std::any_of(materials.begin(), materials.end(), has_more)) {
-    lines.push_back(path + ": textures and emission are left out");
+  const glm::dvec3& origin = placement.origin;
+  if (origin != glm::dvec3(0.0)) {
+    lines.push_back(
+        path + format(": far from the origin, which is now at its %.15g,%.15g,%.15g", origin.x, origin.y, origin.z));
   }
+  if (placement.scale != 1.0) lines.push_back(path + format(": now %g times as large as in the file", placement.scale));
   return lines;
 }
 
+// ---- Triangles ------------------------------------------------------------------------------------------------------
+
+/// Builds the mesh, vertex by vertex of the file: its normals, and one of the mesh's vertices for each of them.
+class MeshMaker {
+ public:
+  MeshMaker(const ObjFile& file, const Placement& place, std::uint32_t default_material, Mesh& mesh)
+      : file_(file), place_(place), mesh_(mesh) {
+    for (const ObjFile::Triangle& triangle : file.triangles) {
+      const glm::vec3 area = area_of(triangle);
+      // The mesh has floats, and uses squares of areas.
+      if (!(glm::dot(area, area) > 0.0f)) continue;
+      sources_.push_back(&triangle);
+      areas_.push_back(area);
+      mesh.triangle_materials.push_back(triangle.material == ObjFile::none ? default_material : triangle.material);
+    }
+    mesh.triangles.resize(sources_.size());
+  }
+
+  void make() {
+    // The corners about each vertex, in one list.
+    std::vector<std::size_t> first(file_.positions.size() + 1, 0);
+    for (const ObjFile::Triangle* triangle : sources_) {
+      for (const ObjFile::Corner& corner : triangle->corners) ++first[corner.vertex + 1];
+    }
+    for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
+    std::vector<CornerOf> corners(3 * sources_.size());
+    std::vector<std::size_t> next = first;
+    for (std::size_t t = 0; t < sources_.size(); ++t) {
+      for (int k = 0; k < 3; ++k) {
+        corners[next[sources_[t]->corners[static_cast<std::size_t>(k)].vertex]++] = {t, k};
+      }
+    }
+    for (std::size_t vertex = 0; vertex + 1 < first.size(); ++vertex) {
+      corners_.assign(corners.begin() + static_cast<std::ptrdiff_t>(first[vertex]),
+                      corners.begin() + static_cast<std::ptrdiff_t>(first[vertex + 1]));
+      if (!corners_.empty()) add_vertex(place_(file_.positions[vertex]));
+    }
+  }
+
+ private:
+  struct CornerOf {
+    std::size_t triangle;
+    int corner;
+  };
+
+  /// Corners at the vertex at hand that have one normal.
+  struct Group {
+    std::uint64_t key;
+    std::size_t first, last;  // of corners_
+    std::int32_t smoothing;
+    glm::vec3 area;
+  };
+
+  glm::vec3 area_of(const ObjFile::Triangle& triangle) const {
+    const auto at = [&](int k) {
+      return place_(file_.positions[triangle.corners[static_cast<std::size_t>(k)].vertex]);
+    };
+    const glm::vec3 origin = at(0);
+    return glm::cross(at(1) - origin, at(2) - origin);
+  }
+
+  /// The file's normal of a corner, if it has a usable one.
+  bool given_normal(const CornerOf& at, glm::vec3& normal) const {
+    const std::uint32_t index = sources_[at.triangle]->corners[static_cast<std::size_t>(at.corner)].normal;
+    if (index == ObjFile::none) return false;
+    const glm::vec3 given = place_.turned(file_.normals[index]);
+    const float length = glm::length(given);
+    if (!(length > 1e-6f) || !std::isfinite(length)) return false;
+    normal = given / length;
+    return true;
+  }
+
+  /// What sorts corners into groups: the number of their normal; without one, their smoothing group, and the cell of
+  /// all directions in which their triangle's normal lies. Cells keep a pole of many faces from being compared face by
+  /// face; the faces of one cell, some 10 degrees wide, count as one.
+  std::uint64_t key_of(const CornerOf& at) const {
+    constexpr float cells = 6.0f;
+    const ObjFile::Triangle& source = *sources_[at.triangle];
+    glm::vec3 normal;
+    if (given_normal(at, normal)) return source.corners[static_cast<std::size_t>(at.corner)].normal;
+    if (source.smoothing == 0) return flat_bit | at.triangle;
+    const glm::uvec3 cell(glm::round(cells * (glm::normalize(areas_[at.triangle]) + 1.0f)));
+    return creased_bit | static_cast<std::uint64_t>(source.smoothing & 0x7FFFFFFF) << cell_bits | cell.x << 8 |
+           cell.y << 4 | cell.z;
+  }
+
+  void add_vertex(const glm::vec3& position) {
+    std::vector<std::pair<std::uint64_t, CornerOf>> keyed;
+    keyed.reserve(corners_.size());
+    for (const CornerOf& corner : corners_) keyed.emplace_back(key_of(corner), corner);
+    std::stable_sort(keyed.begin(), keyed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    groups_.clear();
+    for (std::size_t i = 0; i < keyed.size(); ++i) {
+      corners_[i] = keyed[i].second;
+      const std::size_t triangle = corners_[i].triangle;
+      if (groups_.empty() || groups_.back().key != keyed[i].first) {
+        groups_.push_back({keyed[i].first, i, i, sources_[triangle]->smoothing, glm::vec3(0.0f)});
+      }
+      groups_.back().last = i + 1;
+      groups_.back().area += areas_[triangle];
+    }
+    for (const Group& group : groups_) {
+      mesh_.positions.push_back(position);
+      mesh_.normals.push_back(normal_of(group));
+      for (std::size_t i = group.first; i < group.last; ++i) {
+        mesh_.triangles[corners_[i].triangle][corners_[i].corner] =
+            static_cast<std::uint32_t>(mesh_.positions.size() - 1);
+      }
+    }
+  }
+
+  /// The area-weighted mean over the faces about the vertex that go on smoothly from those at hand.
+  glm::vec3 normal_of(const Group& group) const {
+    glm::vec3 normal;
+    if (given_normal(corners_[group.first], normal)) return normal;
+    const glm::vec3 flat = glm::normalize(group.area);
+    if (group.smoothing == 0) return flat;
+    glm::vec3 sum(0.0f);
+    const auto joins = [&](const Group& other) { return other.key >> cell_bits == group.key >> cell_bits; };
+    const auto add = [&](const Group& other) {
+      if (glm::dot(flat, glm::normalize(other.area)) > cos_crease) sum += other.area;
+    };
+    // Those of one smoothing group are neighbours in the list.
+    for (const Group* other = &group; other <= &groups_.back() && joins(*other); ++other) add(*other);
+    for (const Group* other = &group; other-- > &groups_.front() && joins(*other);) add(*other);
+    return glm::normalize(sum);
+  }
+
+  static constexpr int cell_bits = 12;
+  static constexpr std::uint64_t flat_bit = std::uint64_t{1} << 62, creased_bit = std::uint64_t{1} << 63;
+
+  const ObjFile& file_;
+  const Placement& place_;
+  Mesh& mesh_;
+  std::vector<const ObjFile::Triangle*> sources_;
+  std::vector<glm::vec3> areas_;  // along the normals, twice as long as the triangles are large
+  std::vector<CornerOf> corners_;
+  std::vector<Group> groups_;
+};
+
 }  // namespace
 
-Scene load_obj(const std::string& path, bool stage) {
-  const tinyobj::ObjReader reader = read_obj(path);
+Scene load_obj(const std::string& path, const ObjView& view) {
+  const ObjFile file = read_obj(path);
   Scene scene;
   scene.name = std::filesystem::path(path).filename().string();
-  for (const tinyobj::material_t& source : reader.GetMaterials()) scene.materials.push_back(make_material(source));
+  scene.files = {path};
+  scene.files.insert(scene.files.end(), file.material_files.begin(), file.material_files.end());
+  for (const MtlMaterial& source : file.materials) scene.materials.push_back(make_material(source));
   const auto default_material = static_cast<std::uint32_t>(scene.materials.size());
   scene.materials.push_back({"default", matte(glm::vec3(0.7f))});
-  try {
-    ObjMesh(reader, scene.mesh).copy(reader, default_material);
-  } catch (const InputError& error) {
-    throw InputError(path + ": " + error.what());
-  }
+  const Placement placement = placement_of(file, view.up);
+  MeshMaker(file, placement, default_material, scene.mesh).make();
   if (scene.mesh.triangles.empty()) throw InputError(path + ": no triangles in it");
-  const Bounds bounds = bounds_of(scene.mesh);
-  fit_view(scene, bounds);
-  if (stage) add_stage(scene, bounds);
-  scene.warnings = losses(path, reader);
-  scene.files = {path};
+  scene.warnings = file.warnings;
+  for (std::string& line : messages(path, placement)) scene.warnings.push_back(std::move(line));
+  place_camera_and_light(scene, view);
   return scene;
 }
 

@@ -42,6 +42,7 @@ Hit make_hit(const Mesh& mesh, const RTCRayHit& found, const glm::vec3& directio
   glm::vec3 normal = interpolated_normal(mesh, triangle, found.hit.u, found.hit.v);
   const float length = glm::length(normal);
   // Normals that cancel, or that oppose their own triangle (careless files), are worth less than the plane's.
+  const bool from_behind = glm::dot(length > 1e-6f ? normal : geometric, direction) > 0.0f;
   const bool usable = length > 1e-6f && glm::dot(normal, geometric) > 0.0f;
   normal = usable ? normal / length : geometric;
   Hit hit{};
@@ -49,6 +50,7 @@ Hit make_hit(const Mesh& mesh, const RTCRayHit& found, const glm::vec3& directio
   hit.geometric_normal = side * geometric;
   hit.normal = face_viewer(side * normal, -direction);
   hit.distance = found.ray.tfar;
+  hit.from_behind = from_behind;
   hit.material = mesh.triangle_materials[found.hit.primID];
   return hit;
 }

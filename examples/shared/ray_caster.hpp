@@ -18,6 +18,7 @@ struct Hit {
   glm::vec3 normal;            // unit, interpolated, less than a right angle from the way back
   float distance;              // metres
   std::uint32_t material;
+  bool from_behind = false;  // met on the side that its mesh's normals turn away from
 };
 
 /// Visibility in a scene, by Embree. The scene must outlive it. Safe to use from many threads.

@@ -25,7 +25,9 @@ nlohmann::json camera_json(const CameraOverrides& camera) {
 nlohmann::json common_options_json(const CommonOptions& options) {
   return {
       {"scene", options.scene},
-      {"stage", options.stage},
+      {"stage", options.obj.stage},
+      {"up", name_of(up_names, options.obj.up)},
+      {"view_from", name_of(place_names, options.obj.place)},
       {"width", options.width},
       {"height", options.height},
       {"antialias", options.antialias},

@@ -19,6 +19,7 @@ struct Material {
   std::string name;
   zonal::Brdf brdf;
   std::filesystem::path file{};  // of a measured material; else empty
+  glm::vec3 emission{0.0f};      // radiance that the camera sees, and that lights nothing
 };
 
 /// Indexed triangles with one unit normal per vertex and one material per triangle.
@@ -57,8 +58,17 @@ Scene make_atrium(AtriumFinish finish = AtriumFinish::mixed);
 /// A white sphere about its light, seen from inside. All that it reflects once is the same at all its points.
 Scene make_furnace();
 
-/// An OBJ file and its MTL, camera and light fitted to it; `stage` puts it on a floor before a wall. Throws
-/// InputError.
-Scene load_obj(const std::string& path, bool stage);
+enum class UpAxis { y, z };
+enum class ViewPlace { automatic, inside, outside };
+
+/// How to show what an OBJ file holds.
+struct ObjView {
+  bool stage = true;      // on a floor before two walls, when seen from outside
+  UpAxis up = UpAxis::y;  // of the file
+  ViewPlace place = ViewPlace::automatic;
+};
+
+/// An OBJ file and its MTL, camera and light fitted to it. Throws InputError.
+Scene load_obj(const std::string& path, const ObjView& view);
 
 }  // namespace example

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -14,6 +15,11 @@ std::string format(const char* pattern, Arguments... arguments) {
 }
 
 inline std::string seconds_text(double seconds) { return format("%.3f", seconds); }
+
+/// A dash for what is no number, as the error of a black picture relative to its mean.
+inline std::string number_text(const char* pattern, double value) {
+  return std::isfinite(value) ? format(pattern, value) : "-";
+}
 
 /// One line of a table: its name, then a cell for each column.
 using Row = std::vector<std::string>;

@@ -2,13 +2,14 @@
 // as C++.
 #pragma once
 
-#include <zonal/glsl/recorded_function.hpp>
+#include <zonal/glsl/function_text.hpp>
 
 #include <string>
 
 /// `void call_<name>(<index> from, <index> to)`: the inputs are numbers[from], numbers[from + 1], ..., and the outputs
-/// that are asked for go to results[to], results[to + 1], ....
-inline std::string caller_text(const zonal::glsl::RecordedFunction& function, const std::string& index_type) {
+/// that it writes go to results[to], results[to + 1], ....
+inline std::string caller_text(const zonal::glsl::RecordedFunction& function, const std::string& index_type,
+                               const zonal::glsl::TextOptions& options = {}) {
   using zonal::glsl::Direction;
   using zonal::glsl::Parameter;
   std::string declarations, reads, arguments, writes, result;
@@ -32,6 +33,10 @@ inline std::string caller_text(const zonal::glsl::RecordedFunction& function, co
     const bool is_result = outputs == 1 && p.direction == Direction::out && !p.is_array();
     if (is_result) {
       result = name + " = ";
+    } else if (options.flat && p.is_array()) {
+      for (int i = 0; i < p.count; ++i) {
+        arguments += (arguments.empty() ? "" : ", ") + name + "[" + std::to_string(i) + "]";
+      }
     } else {
       arguments += (arguments.empty() ? "" : ", ") + name;
     }
@@ -44,7 +49,7 @@ inline std::string caller_text(const zonal::glsl::RecordedFunction& function, co
     }
   }
   return "void call_" + function.name + "(" + index_type + " from, " + index_type + " to) {\n" + declarations + reads +
-         "  " + result + function.name + "(" + arguments + ");\n" + writes + "}\n";
+         "  " + result + text_name(function, options) + "(" + arguments + ");\n" + writes + "}\n";
 }
 
 /// The numbers that a function takes, and those that it gives.

@@ -15,5 +15,6 @@ std::vector<float> run_in_cpp(std::string_view function, int bands, int order, c
       !run_scene_function(function, bands, order, inputs, outputs)) {
     throw std::invalid_argument("no function " + std::string(function));
   }
+  if (outputs.empty()) throw std::invalid_argument(std::string(function) + ": not at this number of bands");
   return outputs;
 }

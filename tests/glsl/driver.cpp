@@ -50,10 +50,6 @@ struct Driver::Functions {
   PFNGLGETPROGRAMINFOLOGPROC GetProgramInfoLog = nullptr;
   PFNGLDELETEPROGRAMPROC DeleteProgram = nullptr;
   PFNGLUSEPROGRAMPROC UseProgram = nullptr;
-  PFNGLGETUNIFORMLOCATIONPROC GetUniformLocation = nullptr;
-  PFNGLPROGRAMUNIFORM1FPROC ProgramUniform1f = nullptr;
-  PFNGLPROGRAMUNIFORM1UIPROC ProgramUniform1ui = nullptr;
-  PFNGLPROGRAMUNIFORM3FPROC ProgramUniform3f = nullptr;
   PFNGLGENBUFFERSPROC GenBuffers = nullptr;
   PFNGLDELETEBUFFERSPROC DeleteBuffers = nullptr;
   PFNGLBINDBUFFERPROC BindBuffer = nullptr;
@@ -95,10 +91,6 @@ struct Driver::Functions {
     load(GetProgramInfoLog, get, "glGetProgramInfoLog");
     load(DeleteProgram, get, "glDeleteProgram");
     load(UseProgram, get, "glUseProgram");
-    load(GetUniformLocation, get, "glGetUniformLocation");
-    load(ProgramUniform1f, get, "glProgramUniform1f");
-    load(ProgramUniform1ui, get, "glProgramUniform1ui");
-    load(ProgramUniform3f, get, "glProgramUniform3f");
     load(GenBuffers, get, "glGenBuffers");
     load(DeleteBuffers, get, "glDeleteBuffers");
     load(BindBuffer, get, "glBindBuffer");
@@ -133,22 +125,21 @@ struct Driver::Functions {
     return found;
   }
 
-  /// A core context of 4.6 down to 4.3 on this display, made current.
-  bool start(EGLDisplay candidate) {
+  /// A core context of 4.6 down to 4.3, or one of ES 3.0, on this display, made current.
+  bool start(EGLDisplay candidate, Language language) {
     if (!initialize(candidate, nullptr, nullptr)) return false;
     const char* extensions = query_string(candidate, EGL_EXTENSIONS);
     const bool is_surfaceless =
         extensions && std::string(extensions).find("EGL_KHR_surfaceless_context") != std::string::npos;
-    if (is_surfaceless && bind_api(EGL_OPENGL_API)) {
-      for (const EGLint minor : {6, 5, 4, 3}) {
-        const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                     4,
-                                     EGL_CONTEXT_MINOR_VERSION,
-                                     minor,
-                                     EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                     EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                     EGL_NONE};
-        context = create_context(candidate, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
+    const bool is_es = language == Language::glsl_es;
+    if (is_surfaceless && bind_api(is_es ? EGL_OPENGL_ES_API : EGL_OPENGL_API)) {
+      for (const EGLint minor : is_es ? std::vector<EGLint>{0} : std::vector<EGLint>{6, 5, 4, 3}) {
+        std::vector<EGLint> attributes{EGL_CONTEXT_MAJOR_VERSION, is_es ? 3 : 4, EGL_CONTEXT_MINOR_VERSION, minor};
+        if (!is_es) {
+          attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT});
+        }
+        attributes.push_back(EGL_NONE);
+        context = create_context(candidate, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
         if (context == EGL_NO_CONTEXT) continue;
         if (make_current(candidate, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
           display = candidate;
@@ -172,13 +163,13 @@ Driver::~Driver() {
   // The library stays: some drivers do not survive their own unloading.
 }
 
-std::unique_ptr<Driver> Driver::open(std::string& reason) {
+std::unique_ptr<Driver> Driver::open(std::string& reason, Language language) {
   std::unique_ptr<Driver> driver(new Driver);
-  reason = driver->start();
+  reason = driver->start(language);
   return reason.empty() ? std::move(driver) : nullptr;
 }
 
-std::string Driver::start() {
+std::string Driver::start(Language language) {
   const std::string packages = " (Debian packages: libegl1 libgl1-mesa-dri)";
   gl_->library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
   if (gl_->library == nullptr) return "no libEGL.so.1" + packages;
@@ -187,7 +178,7 @@ std::string Driver::start() {
   try {
     gl_->load_egl();
     for (const EGLDisplay display : gl_->displays()) {
-      if (!gl_->start(display)) continue;
+      if (!gl_->start(display, language)) continue;
       gl_->load_gl();
       renderer_ = reinterpret_cast<const char*>(gl_->GetString(GL_RENDERER));
       return "";
@@ -195,8 +186,11 @@ std::string Driver::start() {
   } catch (const DriverError& error) {
     return error.what();
   }
-  return "no EGL display gives a context of OpenGL 4.3 or later without a window" + packages;
+  const std::string wanted = language == Language::glsl_es ? "OpenGL ES 3.0" : "OpenGL 4.3";
+  return "no EGL display gives a context of " + wanted + " or later without a window" + packages;
 }
+
+void Driver::use() { gl_->make_current(gl_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, gl_->context); }
 
 bool Driver::is_software() const {
   return renderer_.find("llvmpipe") != std::string::npos || renderer_.find("softpipe") != std::string::npos ||
@@ -258,30 +252,17 @@ std::vector<float> Driver::read_buffer(unsigned buffer, std::size_t count) {
 void Driver::delete_program(unsigned program) { gl_->DeleteProgram(program); }
 void Driver::delete_buffer(unsigned buffer) { gl_->DeleteBuffers(1, &buffer); }
 
-void Driver::set_uniform(unsigned program, const char* name, float value) {
-  gl_->ProgramUniform1f(program, gl_->GetUniformLocation(program, name), value);
-  check(name);
-}
-void Driver::set_uniform(unsigned program, const char* name, unsigned value) {
-  gl_->ProgramUniform1ui(program, gl_->GetUniformLocation(program, name), value);
-  check(name);
-}
-void Driver::set_uniform(unsigned program, const char* name, float x, float y, float z) {
-  gl_->ProgramUniform3f(program, gl_->GetUniformLocation(program, name), x, y, z);
-  check(name);
-}
-
-double Driver::run(unsigned program, const std::vector<unsigned>& buffers, unsigned groups_x, unsigned groups_y,
-                   unsigned groups_z) {
+double Driver::run(unsigned program, const std::vector<unsigned>& buffers, unsigned groups, unsigned uniforms) {
   for (std::size_t i = 0; i < buffers.size(); ++i) {
     gl_->BindBufferBase(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(i), buffers[i]);
   }
+  if (uniforms != 0) gl_->BindBufferBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(buffers.size()), uniforms);
   gl_->UseProgram(program);
   GLuint query = 0;
   gl_->GenQueries(1, &query);
   const auto start = std::chrono::steady_clock::now();
   gl_->BeginQuery(GL_TIME_ELAPSED, query);
-  gl_->DispatchCompute(groups_x, groups_y, groups_z);
+  gl_->DispatchCompute(groups, 1, 1);
   gl_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
   gl_->EndQuery(GL_TIME_ELAPSED);
   gl_->Finish();

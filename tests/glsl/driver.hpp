@@ -14,12 +14,17 @@ struct DriverError : std::runtime_error {
 
 class Driver {
  public:
+  /// What it speaks: compute shaders of GLSL 4.30 or later, or GLSL ES 3.00, that of WebGL 2.
+  enum class Language { glsl, glsl_es };
+
   /// Hardware first, then software. Null where there is none, and `reason` then says why.
-  static std::unique_ptr<Driver> open(std::string& reason);
+  static std::unique_ptr<Driver> open(std::string& reason, Language language = Language::glsl);
   ~Driver();
   Driver(const Driver&) = delete;
   Driver& operator=(const Driver&) = delete;
 
+  /// It is the one that the thread speaks to from now on, as after open().
+  void use();
   /// The driver's name of itself.
   const std::string& renderer() const { return renderer_; }
   /// Whether it computes on the CPU: then to the bit as C++ does.
@@ -33,19 +38,15 @@ class Driver {
   void delete_program(unsigned program);
   void delete_buffer(unsigned buffer);
 
-  void set_uniform(unsigned program, const char* name, float value);
-  void set_uniform(unsigned program, const char* name, unsigned value);
-  void set_uniform(unsigned program, const char* name, float x, float y, float z);
-
-  /// Runs groups_x * groups_y * groups_z groups with the buffers bound to 0, 1, ..., and waits. The time it takes, in
-  /// milliseconds: by the driver's own timer, on a software driver by the clock.
-  double run(unsigned program, const std::vector<unsigned>& buffers, unsigned groups_x, unsigned groups_y = 1,
-             unsigned groups_z = 1);
+  /// Runs so many groups with the buffers bound to 0, 1, ..., and a buffer of uniforms, if there is one, to the number
+  /// after them; and waits. The time it takes, in milliseconds: by the driver's own timer, on a software driver by the
+  /// clock.
+  double run(unsigned program, const std::vector<unsigned>& buffers, unsigned groups, unsigned uniforms = 0);
 
  private:
   struct Functions;
   Driver();
-  std::string start();  // the reason why not, or empty
+  std::string start(Language language);  // the reason why not, or empty
   unsigned compile_stage(unsigned stage, const std::string& source);
   unsigned link(const std::vector<unsigned>& stages);
   void check(const char* what);
@@ -54,6 +55,6 @@ class Driver {
   std::string renderer_;
 };
 
-/// The driver of this process, opened once. Where there is none the test is skipped with the reason; where the
-/// environment says CI=true it fails.
-Driver* driver_or_skip();
+/// The driver of this process, opened once, and in use. Where there is none the test is skipped with the reason; where
+/// the environment says CI=true it fails.
+Driver* driver_or_skip(Driver::Language language = Driver::Language::glsl);

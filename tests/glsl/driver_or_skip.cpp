@@ -5,12 +5,33 @@
 #include "../catch.hpp"
 #include "driver.hpp"
 
-Driver* driver_or_skip() {
-  static std::string reason;
-  static const std::unique_ptr<Driver> driver = Driver::open(reason);
-  if (driver != nullptr) return driver.get();
+namespace {
+
+struct Opened {
+  explicit Opened(Driver::Language language) : driver(Driver::open(reason, language)) {}
+  std::string reason;
+  std::unique_ptr<Driver> driver;
+};
+
+const Opened& opened(Driver::Language language) {
+  if (language == Driver::Language::glsl_es) {
+    static const Opened es(language);
+    return es;
+  }
+  static const Opened desktop(language);
+  return desktop;
+}
+
+}  // namespace
+
+Driver* driver_or_skip(Driver::Language language) {
+  const Opened& the = opened(language);
+  if (the.driver != nullptr) {
+    the.driver->use();
+    return the.driver.get();
+  }
   const char* ci = std::getenv("CI");
-  if (ci != nullptr && std::string_view(ci) == "true") FAIL("no driver: " << reason);
-  std::printf("skipped: no driver: %s\n", reason.c_str());
+  if (ci != nullptr && std::string_view(ci) == "true") FAIL("no driver: " << the.reason);
+  std::printf("skipped: no driver: %s\n", the.reason.c_str());
   return nullptr;
 }

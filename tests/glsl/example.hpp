@@ -9,18 +9,19 @@
 
 #include "request.hpp"
 
-/// The example with its #include "zonal_..." replaced by these functions, and `defines` after its #version.
+/// The example with its #include "zonal_..." replaced by these functions, precise, and `defines` after its #version.
 inline std::string example(const std::string& file, const std::vector<std::string>& functions, int bands,
-                           const std::string& dialect, const std::string& defines = "") {
+                           const std::string& defines) {
   std::ifstream source(std::string(ZONAL_DOCUMENTS "/examples/") + file);
   if (!source) throw std::runtime_error("no example " + file);
   zonal_glsl::Request request;
   request.functions = functions;
   request.bands = bands;
+  request.text.precise = true;
   std::string text, line;
   while (std::getline(source, line)) {
     const bool includes = line.rfind("#include \"zonal_", 0) == 0;
-    text += includes ? zonal_glsl::shader_file(request, *zonal::glsl::find_dialect(dialect)) : line + "\n";
+    text += includes ? zonal_glsl::shader_file(request, *zonal::glsl::find_dialect("glsl450")) : line + "\n";
     if (line.rfind("#version", 0) == 0) text += defines;
   }
   return text;
@@ -29,11 +30,11 @@ inline std::string example(const std::string& file, const std::vector<std::strin
 /// The gather or the grid, with the loops over lights forward or reversed.
 inline std::string gather_example(int bands, const std::string& shell) {
   const std::string n = std::to_string(bands);
-  return example("gather.comp", {shell}, bands, "glsl450",
+  return example("gather.comp", {shell}, bands,
                  "#define BANDS " + n + "\n#define GATHER zonal_" + shell + "_" + n + "\n");
 }
 inline std::string grid_example(int bands, const std::string& shell) {
   const std::string n = std::to_string(bands);
-  return example("grid.comp", {shell}, bands, "glsl450",
+  return example("grid.comp", {shell}, bands,
                  "#define BANDS " + n + "\n#define SUM_LIGHTS zonal_" + shell + "_" + n + "\n");
 }

@@ -8,8 +8,8 @@
 #include "../catch.hpp"
 #include "caller.hpp"
 #include "compare.hpp"
-#include "cpp_functions.hpp"
 #include "inputs.hpp"
+#include "interpret.hpp"
 #include "shader_functions.hpp"
 
 namespace as_glsl {
@@ -21,7 +21,6 @@ float* results;
 #define in
 #define out
 #define inout
-#define ZONAL_PRECISE
 using namespace glm;
 #if defined(__GNUC__)
 #pragma GCC diagnostic push
@@ -39,24 +38,18 @@ using namespace glm;
 
 TEST_CASE("The GLSL text compiled as C++ is to the bit what the kernels are") {
   for (const auto& entry : zonal_glsl::shader_functions()) {
-    for (const int bands : {1, 2, 5, 10}) {
+    for (const int bands : {1, 2, 4}) {
       if (!entry.has_bands && bands > 1) continue;
       const auto function = entry.record(bands, zonal::glsl::all_orders);
       INFO(function.name);
       InputSampler sampler(8, bands);
-      for (int i = 0; i < 1000; ++i) {
+      for (int i = 0; i < 300; ++i) {
         const std::vector<float> inputs = sampler.draw(function.parameters);
         std::vector<float> given(static_cast<std::size_t>(output_count(function)));
         as_glsl::numbers = inputs.data();
         as_glsl::results = given.data();
         as_glsl::callers.at(function.name)(0, 0);
-        std::vector<float> expected = run_in_cpp(entry.name, bands, zonal::glsl::all_orders, inputs);
-        std::size_t kept = 0;
-        for (std::size_t k = 0; k < expected.size(); ++k) {
-          if (function.kept[k]) expected[kept++] = expected[k];
-        }
-        expected.resize(kept);
-        require_equal(given, expected, true, [&] { return inputs; });
+        require_equal(given, interpret(function, inputs), true, [&] { return inputs; });
       }
     }
   }

@@ -61,7 +61,7 @@ class InputSampler {
       case Domain::length: return any_size(6);
       case Domain::cosine: return sometimes() ? (uniform(0, 1) < 0.5 ? -1 : 1) : uniform(-1, 1);
       case Domain::exponent: return sometimes() ? 0 : any_size(4);
-      case Domain::window_width: return bands_ - 1 + any_size(1);
+      case Domain::window_width: return bands_ * any_size(0.5);
       case Domain::cell_coordinate: return sometimes() ? (uniform(0, 1) < 0.5 ? 0 : 1) : uniform(0, 1);
       case Domain::vertex_count: return std::floor(uniform(2, 65));
       default: return uniform(-1, 1);

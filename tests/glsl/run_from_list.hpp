@@ -3,6 +3,9 @@
 
 #include <zonal/glsl/function_table.hpp>
 
+#include <type_traits>
+#include <utility>
+
 #include "cpp_functions.hpp"
 
 template <class Entry, int N>
@@ -11,6 +14,11 @@ std::vector<float> run_entry(int order, const std::vector<float>& inputs) {
   zonal::glsl::FunctionIo<float> io([&](const zonal::glsl::Parameter&) { return inputs.at(next++); }, order);
   Entry::template run<N>(io);
   return io.outputs();
+}
+
+template <int... Bands, class Visit>
+void for_each_of(std::integer_sequence<int, Bands...>, const Visit& visit) {
+  (visit(std::integral_constant<int, Bands>{}), ...);
 }
 
 /// Whether the list has the function; if so, with its outputs.
@@ -25,8 +33,9 @@ bool run_from_list(std::string_view function, int bands, int order, const std::v
     if constexpr (!Entry::has_bands) {
       outputs = run_entry<Entry, 1>(order, inputs);
     } else {
-      zonal::dispatch_bands<1, zonal::glsl::max_bands>(bands,
-                                                       [&](auto n) { outputs = run_entry<Entry, n>(order, inputs); });
+      for_each_of(cpp_bands, [&](auto n) {
+        if (bands == n) outputs = run_entry<Entry, n>(order, inputs);
+      });
     }
   });
   return found;

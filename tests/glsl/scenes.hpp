@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include <bit>
 #include <cstddef>
 #include <limits>
 #include <random>
@@ -96,19 +97,24 @@ struct ShaderRun {
 };
 
 namespace detail {
+/// An unsigned integer among floats.
+inline float as_float(unsigned value) { return std::bit_cast<float>(value); }
+
 inline ShaderRun run_into(Driver& driver, unsigned program, const std::vector<std::vector<float>>& inputs,
-                          std::size_t output_size, unsigned groups, int times) {
+                          const std::vector<float>& uniforms, std::size_t output_size, unsigned groups, int times) {
   std::vector<unsigned> buffers;
   for (const auto& values : inputs) buffers.push_back(driver.make_buffer(values));
   // Filled with what no shader writes.
   buffers.push_back(driver.make_buffer(std::vector<float>(output_size, std::numeric_limits<float>::quiet_NaN())));
+  const unsigned uniform_buffer = driver.make_buffer(uniforms);
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < times; ++i) {
-    const double time = driver.run(program, buffers, groups);
+    const double time = driver.run(program, buffers, groups, uniform_buffer);
     if (time < least) least = time;
   }
   ShaderRun result{driver.read_buffer(buffers.back(), output_size), least};
   for (const unsigned buffer : buffers) driver.delete_buffer(buffer);
+  driver.delete_buffer(uniform_buffer);
   driver.delete_program(program);
   return result;
 }
@@ -117,23 +123,26 @@ inline ShaderRun run_into(Driver& driver, unsigned program, const std::vector<st
 /// docs/examples/gather.comp.
 inline ShaderRun run_gather(Driver& driver, const GatherScene& scene, const std::string& source, int times = 1) {
   const unsigned program = driver.compile(source);
-  driver.set_uniform(program, "light_count", static_cast<unsigned>(scene.light_count));
-  driver.set_uniform(program, "receiver_count", static_cast<unsigned>(scene.receiver_count));
-  return detail::run_into(driver, program, {scene.lights, scene.receivers, scene.materials}, 3 * scene.receiver_count,
-                          static_cast<unsigned>((scene.receiver_count + 63) / 64), times);
+  const std::vector<float> uniforms{detail::as_float(static_cast<unsigned>(scene.light_count)),
+                                    detail::as_float(static_cast<unsigned>(scene.receiver_count))};
+  return detail::run_into(driver, program, {scene.lights, scene.receivers, scene.materials}, uniforms,
+                          3 * scene.receiver_count, static_cast<unsigned>((scene.receiver_count + 63) / 64), times);
 }
 
 /// docs/examples/grid.comp.
 inline ShaderRun run_grid(Driver& driver, const GridScene& scene, int bands, const std::string& source, int times = 1) {
   const unsigned program = driver.compile(source);
-  const glm::vec3 spacing = scene.spacing();
-  driver.set_uniform(program, "light_count", static_cast<unsigned>(scene.light_count));
-  driver.set_uniform(program, "vertices_x", static_cast<unsigned>(scene.resolution.x));
-  driver.set_uniform(program, "vertices_y", static_cast<unsigned>(scene.resolution.y));
-  driver.set_uniform(program, "vertices_z", static_cast<unsigned>(scene.resolution.z));
-  driver.set_uniform(program, "low", scene.low.x, scene.low.y, scene.low.z);
-  driver.set_uniform(program, "spacing", spacing.x, spacing.y, spacing.z);
-  return detail::run_into(driver, program, {scene.lights},
+  // A vec3 begins at a multiple of four.
+  std::vector<float> uniforms;
+  for (int axis = 0; axis < 3; ++axis) {
+    uniforms.push_back(detail::as_float(static_cast<unsigned>(scene.resolution[axis])));
+  }
+  uniforms.push_back(detail::as_float(static_cast<unsigned>(scene.light_count)));
+  SceneRandom::append(uniforms, scene.low);
+  uniforms.push_back(0);
+  SceneRandom::append(uniforms, scene.spacing());
+  uniforms.push_back(0);
+  return detail::run_into(driver, program, {scene.lights}, uniforms,
                           12 * static_cast<std::size_t>(bands * bands) * scene.vertex_count(),
                           static_cast<unsigned>((scene.vertex_count() + 15) / 16), times);
 }

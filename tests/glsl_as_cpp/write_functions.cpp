@@ -1,4 +1,4 @@
-// Writes every GLSL function, with a caller between flat arrays of floats, for glm_functions.cpp: 1, 2, 5 and 10 bands.
+// Writes every GLSL function, with a caller between flat arrays of floats, for glm_functions.cpp: 1, 2 and 4 bands.
 #include <zonal/glsl/function_text.hpp>
 
 #include <cstdio>
@@ -12,7 +12,7 @@ int main(int argc, char** argv) {
   std::ofstream file(argv[1]);
   std::string table;
   for (const auto& entry : zonal_glsl::shader_functions()) {
-    for (const int bands : {1, 2, 5, 10}) {
+    for (const int bands : {1, 2, 4}) {
       if (!entry.has_bands && bands > 1) continue;
       const auto function = entry.record(bands, zonal::glsl::all_orders);
       file << function_text(function, *zonal::glsl::find_dialect("glsl450")) << caller_text(function, "int");

@@ -1,4 +1,5 @@
-// A grid filled in packets, four lights at a time, against each light at each vertex by itself, in double.
+// A grid filled in packets, four lights at a time, against each light at each vertex by itself, in double. (The
+// gradient as far as a cell takes it: beside_light_test.cpp.)
 #include <zonal/grid/add_lights.hpp>
 #include <zonal/grid/add_polygons.hpp>
 #include <zonal/light/point.hpp>
@@ -28,11 +29,24 @@ glm::vec<3, T> random_point(std::mt19937& random, T low, T high) {
   return {x, y, z};
 }
 
+template <int V>
+auto limited(const zonal::PolygonLight<V, double>& light, const glm::dvec3& x, double) {
+  return zonal::project_with_gradient<N>(light, x);
+}
+auto limited(const zonal::DirectionalLight<double>& light, const glm::dvec3& x, double) {
+  return zonal::project_with_gradient<N>(light, x);
+}
+template <class Light>
+auto limited(const Light& light, const glm::dvec3& x, double cell) {
+  return zonal::project_with_limited_gradient<N>(light, x, cell);
+}
+
 template <class Light, class Widen, class Add>
 void check(const std::vector<zonal::ColouredLight<Light>>& lights, const glm::ivec3& resolution, Widen widen,
            double tolerance, Add add) {
   zonal::CoefficientGrid<N> grid({-1, -1, -1}, {1, 2, 0.5F}, resolution);
   add(grid);
+  const double cell = static_cast<double>(std::max({grid.spacing().x, grid.spacing().y, grid.spacing().z}));
   for (int k = 0; k < resolution.z; ++k) {
     for (int j = 0; j < resolution.y; ++j) {
       for (int i = 0; i < resolution.x; ++i) {
@@ -41,7 +55,7 @@ void check(const std::vector<zonal::ColouredLight<Light>>& lights, const glm::iv
         for (int c = 0; c < 3; ++c) {
           zonal::ShGradient<N, double> expected{};
           for (const auto& light : lights) {
-            const auto one = zonal::project_with_gradient<N>(widen(light.light), glm::dvec3(grid.position(vertex)));
+            const auto one = limited(widen(light.light), glm::dvec3(grid.position(vertex)), cell);
             const auto colour = static_cast<double>(light.colour[c]);
             expected.value += one.value * colour;
             for (int a = 0; a < 3; ++a) expected.gradient[a] += one.gradient[a] * colour;

@@ -369,6 +369,19 @@ TEST_CASE("interpolation: a coordinate that is not a number gives no number, and
   }
 }
 
+TEST_CASE("interpolation: the cell is in the grid, however many vertices an axis has") {
+  for (const int vertices : {2, 3, (1 << 24) - 1, (1 << 24) + 1, (1 << 24) + 3, (1 << 25) + 1, (1 << 25) + 3}) {
+    for (const float x :
+         {-2.0F, -1.0F, 0.0F, 0.5F, 0.99999994F, 1.0F, 3e38F, std::numeric_limits<float>::quiet_NaN()}) {
+      const auto at = zonal::detail::locate(x, -1, 1, vertices);
+      CAPTURE(vertices, x, at.cell, at.t);
+      CHECK(0 <= at.cell);
+      CHECK(at.cell <= vertices - 2);
+      CHECK((std::isnan(x) || (0 <= at.t && at.t <= 1)));
+    }
+  }
+}
+
 TEST_CASE("grid: vertices stand where they should, and a box that is none is refused") {
   const Grid grid(low, high, resolution);
   CHECK(grid.position({0, 0, 0}) == low);

@@ -3,6 +3,7 @@
 #include <zonal/light/sphere.hpp>
 #include <zonal/lobe/spherical_gaussian.hpp>
 #include <zonal/scalar/dual.hpp>
+#include <zonal/scalar/packet.hpp>
 
 #include <algorithm>
 #include <array>
@@ -13,6 +14,7 @@
 
 #include "../catch.hpp"
 #include "../csv.hpp"
+#include "added_light.hpp"
 
 namespace {
 
@@ -137,6 +139,97 @@ TEST_CASE("lights: value and gradient are those of dual numbers, in line with th
         return zonal::SpotLight<decltype(t)>{{0, 0, 0}, {0.6, 0, 0.8}, 0.9, -0.5};
       },
       above_and_beside);
+  check_against_dual(
+      "lantern",
+      [](auto) {
+        return Lantern{{0, 0, 0}, 0.3, 1.5, true};
+      },
+      above_and_beside, 1e-11);
+}
+
+namespace {
+
+/// Requires value and gradient of a light to be finite at x, and returns them.
+template <int Bands, class T, class Light>
+zonal::ShGradient<Bands, T> finite(const Light& light, const Vec<T>& x) {
+  const auto sh = zonal::project_with_gradient<Bands>(light, x);
+  for (int i = 0; i < Bands * Bands; ++i) {
+    CAPTURE(x[0], x[1], x[2], i, sh.value[i], sh.gradient[0][i], sh.gradient[1][i], sh.gradient[2][i]);
+    REQUIRE(std::isfinite(sh.value[i]));
+    for (const auto& gradient : sh.gradient) REQUIRE(std::isfinite(gradient[i]));
+  }
+  return sh;
+}
+
+template <class T>
+void check_finite(const std::vector<T>& lengths) {
+  constexpr int bands = 4;
+  for (const T distance : lengths) {
+    for (const Vec<T>& x : {Vec<T>(distance, 0, 0), Vec<T>(0, -distance, distance), Vec<T>(distance)}) {
+      for (const T radius : lengths) {
+        finite<bands>(zonal::SphereLight<T>{{0, 0, 0}, radius}, x);
+        finite<bands>(zonal::SoftSphereLight<bands, T>{{0, 0, 0}, radius, {{1, T(0.5), 0, -1}}}, x);
+      }
+      finite<bands>(zonal::PointLight<T>{-x}, x);
+      for (const T inner : {T(-1), T(0), T(0.5), T(1)}) {
+        for (const T outer : {T(-1), T(0), T(1e-30), T(0.5), T(1)}) {  // in the wrong order too
+          finite<bands>(zonal::SpotLight<T>{{0, 0, 0}, {T(0.6), 0, T(0.8)}, inner, outer}, x);
+          finite<bands>(zonal::SpotLight<T>{{0, 0, 0}, {-1, 0, 0}, inner, outer}, x);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("lights: from finite numbers finite ones, at a light, without extent, at any distance") {
+  check_finite<float>({0, 1e-45F, 1e-30F, 1e-20F, 1e-12F, 3e-10F, 1e-4F, 1, 1e6F, 1e15F, 1e19F, 1e30F, 3e38F});
+  check_finite<double>({0, 5e-324, 1e-200, 1e-80, 1e-77, 1e-12, 1, 1e15, 1e100, 1e154, 1e200, 1e308});
+}
+
+TEST_CASE("lights: at their own place in a packet, finite and the same as alone") {
+  using Lanes = zonal::Packet<float, zonal::kNativeLanes>;
+  const zonal::PointLight<float> light{{1, 2, 3}};
+  Lanes x(1), y(2), z(3);
+  x.set(1, 1.25F), y.set(2, 1e30F), z.set(3, -3e38F);
+  const float lanes[4][3] = {{1, 2, 3}, {1.25F, 2, 3}, {1, 1e30F, 3}, {1, 2, -3e38F}};
+  zonal::project_with_gradient<3>(
+      light, x, y, z, [&](auto l, auto m, const Lanes& value, const Lanes& gx, const Lanes& gy, const Lanes& gz) {
+        for (int lane = 0; lane < 4; ++lane) {
+          const auto alone = finite<3>(light, glm::vec3(lanes[lane][0], lanes[lane][1], lanes[lane][2]));
+          const auto near = [](float a) { return Catch::Approx(a).epsilon(1e-5).margin(1e-30); };
+          CAPTURE(lane);
+          CHECK(value[lane] == near(alone.value(l, m)));
+          CHECK(gx[lane] == near(alone.gradient[0](l, m)));
+          CHECK(gy[lane] == near(alone.gradient[1](l, m)));
+          CHECK(gz[lane] == near(alone.gradient[2](l, m)));
+        }
+      });
+}
+
+TEST_CASE("spot light: of equal cones it is hard: a point light inside, nothing outside") {
+  const auto spot = [](float cosine) { return zonal::SpotLight<float>{{0, 0, 2}, {0, 0, -1}, cosine, cosine}; };
+  const auto check = [&](float cosine, const glm::vec3& x, bool is_inside) {
+    const auto got = finite<3>(spot(cosine), x);
+    const auto point = zonal::project_with_gradient<3>(zonal::PointLight<float>{{0, 0, 2}}, x);
+    for (int i = 0; i < 9; ++i) {
+      CAPTURE(cosine, x.x, x.z, i);
+      CHECK(got.value[i] == Catch::Approx(is_inside ? point.value[i] : 0.0F).margin(1e-7));
+      for (int k = 0; k < 3; ++k) {
+        CHECK(got.gradient[k][i] == Catch::Approx(is_inside ? point.gradient[k][i] : 0.0F).margin(1e-7));
+      }
+    }
+  };
+  check(0.9F, {0, 0, 0}, true);
+  check(0.9F, {0.9F, 0, 0}, true);  // cosine 0.912
+  check(0.9F, {1, 0, 0}, false);    // 0.894
+  check(0.9F, {0, 0, 5}, false);
+  for (const glm::vec3& x : {glm::vec3(0, 0, 0), glm::vec3(0.1F, 0.3F, 4), glm::vec3(0, 0, 5)}) check(-1, x, true);
+  check(1, {0, 0, 0}, true);  // on the axis itself
+  check(1, {0.1F, 0, 0}, false);
+  check(0, {3, 0, 1.9F}, true);
+  check(0, {3, 0, 2.1F}, false);
 }
 
 TEST_CASE("lights: the gradient is that of central differences in long double") {

@@ -166,3 +166,20 @@ TEST_CASE("cap up to the hemisphere: as accurate as promised, and equal to the o
     for (int l = 0; l < 10; ++l) CHECK(std::abs(fewer[l] - all[l]) < 1e-14);
   }
 }
+
+TEST_CASE("cap: from_sphere keeps the height above the surface") {
+  // At distance 1 + h the cosine is sqrt(h (2 + h)) / (1 + h): at h of one ulp as exact as anywhere.
+  for (int power = -23; power <= 3; ++power) {
+    const float distance = 1 + std::ldexp(1.0F, power);
+    const double d = static_cast<double>(distance), exact = std::sqrt((d - 1) * (d + 1)) / d;
+    for (const float scale : {1.0F, 0x1p-90F, 0x1p90F}) {
+      const auto cap = zonal::SphericalCap<float>::from_sphere(distance * scale, scale);
+      CAPTURE(power, scale);
+      CHECK(std::abs(static_cast<double>(cap.cos_angle) - exact) <= 3e-7 * exact);
+      CHECK(std::abs(static_cast<double>(cap.sin_angle) - 1 / d) <= 2e-7 / d);
+    }
+  }
+  const auto inside = zonal::SphericalCap<float>::from_sphere(0.5F, 1.0F);
+  CHECK(inside.cos_angle == 0);
+  CHECK(inside.sin_angle == 1);
+}

@@ -29,9 +29,17 @@ refused("antialias 0" "--antialias: '0' is not in 1...16" --antialias 0)
 refused("threads -1" "--threads: '-1' is not in 0...1024" --threads -1)
 refused("exposure nan" "--exposure: 'nan' is not in -30...30" --exposure nan)
 refused("horizon unknown" "--horizon: 'x' is not one of .*" --horizon x)
-refused("camera of two coordinates" "--camera: '1,2' is not a point x,y,z" --camera 1,2)
-refused("camera nan" "--camera: '1,2,nan' is not a point x,y,z" --camera 1,2,nan)
-refused("camera at its target" "--camera and --target are the same point" --camera 1,1,1 --target 1,1,1)
+refused("camera of two coordinates" "--camera: '1,2' is not a point x,y,z .*" --camera 1,2)
+foreach(point camera:1,2,nan camera:1e20,0,0 target:0,inf,0 light:0,0,-3e8 light-target:1e20,1,1)
+  string(REGEX MATCH "^([^:]*):(.*)$" point ${point})
+  refused("${CMAKE_MATCH_1} ${CMAKE_MATCH_2}"
+    "--${CMAKE_MATCH_1}: '${CMAKE_MATCH_2}' is not a point x,y,z of coordinates up to 1e8"
+    --${CMAKE_MATCH_1} ${CMAKE_MATCH_2})
+endforeach()
+refused("camera at its target" "--camera and --target are the same point" --camera 1,1,1 --target 1,1.0000001,1)
+refused("camera next to the origin" "--camera and --target are the same point" --camera 0,0,0 --target 0,0,1e-20)
+refused("light at its target" "--light and --light-target are the same point" --light 1,1,1 --light-target 1,1,1)
+refused("up unknown" "--up: 'x' is not one of y.z" --up x)
 refused("field of view 0" "--fov: '0' is not in 1...170 degrees" --fov 0)
 refused("compare paths with paths" "--compare renders paths beside another method: choose one" --compare out --method path)
 refused("two numbers of lights" "--lights excludes --time-budget" --time-budget 1)
@@ -73,13 +81,14 @@ endforeach()
 foreach(scene nan infinite far short_vertex garbage)
   refused("scene ${scene}" "${scene}.obj:[23]?: not three finite coordinates up to 1e8" --scene ${scene}.obj)
 endforeach()
-foreach(scene index_beyond index_before)
-  refused("scene ${scene}" "${scene}.obj: a face names a vertex that is not there" --scene ${scene}.obj)
+refused("scene index_beyond" "index_beyond.obj:4: a face names vertex 9 of 3" --scene index_beyond.obj)
+foreach(scene index_before:-9 index_zero:0 index_word:a)
+  string(REGEX MATCH "^([^:]*):(.*)$" scene ${scene})
+  refused("scene ${CMAKE_MATCH_1}" "${CMAKE_MATCH_1}.obj:4: '${CMAKE_MATCH_2}' names no vertex"
+    --scene ${CMAKE_MATCH_1}.obj)
 endforeach()
-foreach(scene index_zero index_word)
-  refused("scene ${scene}" "${scene}.obj: cannot be read as OBJ .*" --scene ${scene}.obj)
-endforeach()
-refused("scene missing_mtl" "missing_mtl.obj: its material file nowhere.mtl is missing .*" --scene missing_mtl.obj)
+renders("scene missing_mtl" "x.png" "hvl-render: warning: missing_mtl.obj: no material file nowhere.mtl; .* grey"
+  --scene missing_mtl.obj --out x.png)
 
 # ---- Files ----------------------------------------------------------------------------------------------------------
 
@@ -112,6 +121,7 @@ renders("comparison" "out out/difference.png out/hvl.exr out/hvl.png out/referen
 renders("quiet picture and report" "x.exr x.json" "" --scene box.obj --out x.exr --report x.json --reference reference.exr --quiet)
 renders("OBJ by both methods" "out out/difference.png out/hvl.exr out/hvl.png out/reference.exr out/reference.png" ""
   --scene box.obj --compare out --horizon exact --bounces 3)
+renders("no second horizon" "x.png" "" --scene box.obj --out x.png --horizon none --visibility centre)
 renders("OBJ without the stage" "x.png" "" --scene triangle.obj --no-stage --out x.png --method path)
 renders("the last of two equal options" "y.png" "" --scene box.obj --out x.png --out y.png)
 
@@ -126,6 +136,15 @@ foreach(scene atrium-diffuse atrium-glossy furnace)
   renders("${scene}" "x.png" "" --scene ${scene} --out x.png)
 endforeach()
 renders("other materials" "x.exr" "" --out x.exr --material gold=copper:0.1 --material *=plastic:0.1,0.2,0.3,0.4)
+program_case("time budget of many texels" 0 "x.png" "" $<TARGET_FILE:hvl-render>
+  --size 32x24 --method vsgl --vsgl-texels 128 --time-budget 0.01 --out x.png --quiet)
+# What is black is said to be, and the table has no numbers that are none.
+renders("nothing in view" "x.json x.png" "hvl-render: warning: nothing is in view, and the picture black"
+  --scene box.obj --no-stage --camera 0,0,1e8 --target 0,0,2e7 --out x.png --report x.json)
+renders("nothing lit" "out out/difference.png out/hvl.exr out/hvl.png out/reference.exr out/reference.png"
+  "hvl-render: warning: nothing in view is lit, and the picture black"
+  --scene box.obj --no-stage --light 0,50,0 --light-target 0,100,0 --compare out)
+renders("camera straight up" "x.png" "" --scene box.obj --camera 0.5,9,0.5 --target 0.5,0,0.5 --up z --view outside --out x.png)
 program_case("time budget" 0 "x.png" "" $<TARGET_FILE:hvl-render> --size 64x48 --time-budget 0.05 --out x.png --quiet)
 
 stops(--compare out --spp 1000000)

@@ -18,7 +18,12 @@ output="$folder.output" errors="$folder.errors"
 given=$?
 
 failed=0
+grep -qiwE -- "-?(nan|inf)" "$output" && not_numbers="standard output"
+for file in *.json out/*.json; do
+  [ -f "$file" ] && grep -qiwE -- "-?(nan|inf)" "$file" && not_numbers="$file"
+done
 complain() { echo "$1"; failed=1; }
+[ -z "${not_numbers:-}" ] || complain "nan or inf in $not_numbers"
 [ "$given" -eq "$status" ] || complain "exit status $given, not $status"
 [ "$(wc -l <"$errors")" -le 1 ] || complain "more than one line on standard error"
 grep -qxE -- "$pattern" "$errors" || { [ -z "$pattern" ] && [ ! -s "$errors" ]; } || complain "not '$pattern'"

@@ -14,6 +14,10 @@
 #include <vector>
 
 #include "../accuracy_table.hpp"
+#if defined(__SSE__)
+#include <xmmintrin.h>
+#endif
+
 #include "../catch.hpp"
 
 namespace {
@@ -253,4 +257,32 @@ TEST_CASE("constexpr_sqrt is the square root to the last bit or one beside it") 
   }
   CHECK(zonal::constexpr_sqrt(0) == 0);
   CHECK(zonal::constexpr_sqrt(4) == 2);
+}
+
+TEST_CASE("exp: up to its range, where the processor takes the least numbers for zero too") {
+#if defined(__SSE__)
+  const unsigned kept = _mm_getcsr();
+  _mm_setcsr(kept | 0x8040);  // flush to zero, and denormal numbers are zero
+#endif
+  float results[40];
+  volatile float x = 86;
+  for (int i = 0; i < 40; ++i) results[i] = zonal::exp(x + 0.0675F * static_cast<float>(i));  // to 88.6325
+  const double large = zonal::exp(709.5 + 0 * static_cast<double>(x));
+#if defined(__SSE__)
+  _mm_setcsr(kept);
+#endif
+  for (int i = 0; i < 40; ++i) {
+    const long double exact = std::exp(static_cast<long double>(86 + 0.0675F * static_cast<float>(i)));
+    CAPTURE(i, results[i]);
+    CHECK(std::abs(static_cast<long double>(results[i]) - exact) <= 6 * ulp<float>(exact));
+  }
+  CHECK(std::abs(static_cast<long double>(large) - std::exp(709.5L)) <= 6 * ulp<double>(std::exp(709.5L)));
+}
+
+TEST_CASE("with the library's names in scope, functions of integers are the standard library's") {
+  using namespace zonal;
+  CHECK(exp(2) == std::exp(2.0));
+  CHECK(acos(0) == std::acos(0.0));
+  CHECK(asin(1) == std::asin(1.0));
+  CHECK(sqrt(2) == std::sqrt(2.0));
 }

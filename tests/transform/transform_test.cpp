@@ -123,3 +123,22 @@ TEST_CASE("window: factors by their formulas, zero at the width, and the mean ke
   CHECK(std::abs(zonal::window_factor(zonal::Window::sinc, 5, 5)) < 1e-15);
   CHECK(zonal::apply_window(ones, zonal::Window::none)(4, 2) == 1);
 }
+
+TEST_CASE("window: zero from the width on, degree 0 as it is, whatever the width") {
+  zonal::Sh<6, double> ones{};
+  for (double& c : ones) c = 1;
+  for (const double width : {0.5, 1.0, 2.0, 3.5, 5.9, 0.0, -1.0, std::nan("")}) {
+    for (const auto kind : {zonal::Window::hann, zonal::Window::sinc}) {
+      const auto windowed = zonal::apply_window(ones, kind, width);
+      double before = 1;
+      for (int l = 0; l < 6; ++l) {
+        CAPTURE(width, l);
+        if (l > 0 && !(l < width)) CHECK(windowed(l, 0) == 0);
+        CHECK(windowed(l, l) <= before);
+        CHECK(windowed(l, l) >= 0);
+        before = windowed(l, l);
+      }
+      CHECK(windowed[0] == 1);
+    }
+  }
+}

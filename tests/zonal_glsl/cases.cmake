@@ -26,6 +26,20 @@ zonal_glsl_refused("unknown dialect" "--dialect: 'basic' is not one of glsl450, 
 foreach(bands 0 11 -1 5.5 many)
   zonal_glsl_refused("bands ${bands}" "--bands: '${bands}' is not in 1...10" --functions cap --bands=${bands} -o x.glsl)
 endforeach()
+zonal_glsl_refused("bands of a name" "'cap@11': '11' is not in 1...10" --functions evaluate,cap@11 -o x.glsl)
+zonal_glsl_refused("no bands to a name" "'cap@': '' is not in 1...10" --functions cap@ -o x.glsl)
+zonal_glsl_refused("bands where there are none" "'horizon_exact@3' has no bands .*" --functions horizon_exact@3 -o x.glsl)
+zonal_glsl_refused("degree out of a name's range" "'evaluate:degree3' selects neither .*"
+  --functions evaluate:degree3@3 -o x.glsl)
+zonal_glsl_refused("sums to select from" "'add_sphere:even' has no outputs .*" --functions add_sphere:even -o x.glsl)
+foreach(prefix 9z_ gl_ a__b a-b_)
+  zonal_glsl_refused("prefix ${prefix}" "--prefix: '${prefix}' begins no name .*" --functions cap --prefix ${prefix} -o x)
+endforeach()
+zonal_glsl_refused("precise in GLSL ES" "--precise: GLSL ES 3.00 has no such word"
+  --functions cap --precise --dialect glsles300 -o x.glsl)
+zonal_glsl_refused("a flat loop" "'gather' is a loop, .*" --functions gather --flat -o x.glsl)
+zonal_glsl_refused("too flat" "zonal_add_sphere_10 would have 306 parameters; WGSL allows 255"
+  --functions add_sphere --bands 10 --flat --dialect wgsl -o x.wgsl)
 zonal_glsl_refused("a loop in HLSL" "'gather' is a loop, .*" --functions gather --dialect hlsl -o x.hlsl)
 zonal_glsl_refused("output in no folder" "nowhere/x.glsl: cannot be written .*" --functions cap -o nowhere/x.glsl)
 zonal_glsl_refused("output on a folder" "folder.glsl: is not a regular file" --functions cap -o folder.glsl)
@@ -42,12 +56,18 @@ foreach(output ">/dev/full:cannot be written .No space left on device." ">&-:is 
 endforeach()
 zonal_glsl_case("list" 0 "" "" --list)
 zonal_glsl_case("count" 0 "" "" --count --functions evaluate,evaluate:even,evaluate:degree2,reconstruct_lambert)
+zonal_glsl_case("list of another dialect" 0 "" "" --list --dialect wgsl --flat --bands 3)
 zonal_glsl_case("one file" 0 "x.glsl" "" --functions evaluate,cap,gather -o x.glsl)
 
 # Fewer outputs, fewer operations; and no more of them than the published schemes take.
 add_test(NAME "zonal-glsl: operation counts" COMMAND ${cases_dir}/operation_counts.sh $<TARGET_FILE:zonal-glsl>)
 # The same text every time; and every function at every number of bands in less than a second.
 add_test(NAME "zonal-glsl: same text, in time" COMMAND ${cases_dir}/same_text.sh $<TARGET_FILE:zonal-glsl>)
+
+# The shaders of the documents, as they stand.
+add_test(NAME "zonal-glsl: documents" COMMAND
+  ${cases_dir}/compile_documents.sh $<TARGET_FILE:zonal-glsl> ${PROJECT_SOURCE_DIR}/docs/examples ${work_dir}/documents)
+set_tests_properties("zonal-glsl: documents" PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 60)
 
 # Every function in every dialect, by a compiler of that dialect.
 foreach(dialect glsl450 glsles300 hlsl wgsl cpp)

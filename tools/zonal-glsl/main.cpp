@@ -1,4 +1,5 @@
 // zonal-glsl: writes the library's kernels as shader functions.
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -18,7 +19,7 @@ constexpr int exit_bad_request = 2;
 
 struct Options {
   Request request;
-  std::string bands = "5";
+  std::string bands = std::to_string(std::min(5, zonal::glsl::max_bands));
   std::string dialect = "glsl450";
   std::string output;
   bool list = false, count = false, temporaries = false;
@@ -33,33 +34,31 @@ std::string dialect_names() {
 void add_options(CLI::App& app, Options& options) {
   app.set_version_flag("--version", "zonal-glsl " + zonal::glsl::version_text());
   app.add_option("--functions", options.request.functions,
-                 "What to write, by name; of evaluate and its like also a part: "
-                 "evaluate:even, evaluate:degree2")
+                 "What to write, by name; with a number of bands of its own: evaluate@3; of evaluate and its like also "
+                 "a part: evaluate:even, evaluate:degree2@4")
       ->delimiter(',');
-  app.add_option("--bands", options.bands, "Bands, 1 to 10")->capture_default_str();
+  app.add_option("--bands", options.bands, "Bands, 1 to " + std::to_string(zonal::glsl::max_bands))
+      ->capture_default_str();
   app.add_option("--dialect", options.dialect, "One of " + dialect_names())->capture_default_str();
   app.add_option("-o,--output", options.output, "The file to write; standard output if none, or -");
+  app.add_option("--prefix", options.request.text.prefix, "What all names begin with")->capture_default_str();
+  app.add_flag("--precise", options.request.text.precise,
+               "Forbid the compiler to reassociate and contract: the bits of C++, for more operations");
+  app.add_flag("--flat", options.request.text.flat, "No arrays: a parameter y_4 for each y[4]; some drivers need it");
   app.add_flag("--temporaries", options.temporaries, "A temporary for every operation");
   app.add_flag("--count", options.count, "Print the operations of each function instead");
-  app.add_flag("--list", options.list, "Print the names of all functions");
-}
-
-int parse_bands(const std::string& text) {
-  for (int bands = 1; bands <= zonal::glsl::max_bands; ++bands) {
-    if (text == std::to_string(bands)) return bands;
-  }
-  throw RequestError("--bands: '" + text + "' is not in 1...10");
+  app.add_flag("--list", options.list, "Print names and signatures of all functions instead");
 }
 
 void run(Options& options) {
-  if (options.list) {
-    std::fputs(function_list().c_str(), stdout);
-    return;
-  }
   const zonal::glsl::Dialect* dialect = zonal::glsl::find_dialect(options.dialect);
   if (dialect == nullptr) throw RequestError("--dialect: '" + options.dialect + "' is not one of " + dialect_names());
+  options.request.bands = parse_bands("--bands", options.bands);
+  if (options.list) {
+    std::fputs(function_list(options.request, *dialect).c_str(), stdout);
+    return;
+  }
   if (options.request.functions.empty()) throw RequestError("--functions names none (--list names them all)");
-  options.request.bands = parse_bands(options.bands);
   options.request.text.compound = !options.temporaries;
   const std::string text =
       options.count ? operation_table(options.request, *dialect) : shader_file(options.request, *dialect);

@@ -1,10 +1,10 @@
 #include "request.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
-#include <cmath>
 #include <cstdio>
+#include <string_view>
+#include <utility>
 
 #include <zonal/glsl/file_text.hpp>
 #include <zonal/glsl/shells.hpp>
@@ -15,9 +15,8 @@ namespace zonal_glsl {
 namespace {
 
 using zonal::glsl::Dialect;
-using zonal::glsl::Direction;
 using zonal::glsl::FunctionEntry;
-using zonal::glsl::Parameter;
+using zonal::glsl::NamedText;
 using zonal::glsl::RecordedFunction;
 using zonal::glsl::Shell;
 
@@ -43,65 +42,82 @@ Coefficients parse_coefficients(const std::string& name, const std::string& text
   refuse(name, "selects neither :even nor :degree<l>, l below the number of bands");
 }
 
-/// Drops the coefficients that are not kept from every output that has them.
-void keep_coefficients(RecordedFunction& function, const std::string& name, const Coefficients& coefficients,
-                       int bands) {
-  bool has_any = false;
-  std::size_t at = 0;
-  for (const Parameter& p : function.parameters) {
-    if (p.direction == Direction::in) continue;
-    const bool has_orders = p.count == bands * bands;
-    has_any = has_any || has_orders;
-    for (int i = 0; i < p.size(); ++i, ++at) {
-      const int index = i / p.components, l = static_cast<int>(std::sqrt(index + 0.5)), m = index - l * (l + 1);
-      if (has_orders && !coefficients.keep(l, m)) function.kept[at] = false;
-    }
-  }
-  if (!has_any) refuse(name, "has no outputs by degree and order to select from");
+/// What the text says of them.
+std::string remark(const std::string& selection, const Coefficients& coefficients) {
+  if (coefficients.even_only) return "Of m >= 0 alone, (l, m) at l (l + 1) / 2 + m.";
+  return "Of " + selection.substr(0, 6) + " " + selection.substr(6) + " alone, m at " + selection.substr(6) + " + m.";
 }
 
 class Selector {
  public:
-  Selector(const Request& request, const Dialect& dialect) : bands_(request.bands), dialect_(dialect) {
+  Selector(const Request& request, const Dialect& dialect) : request_(request), dialect_(dialect) {
+    check_options();
     for (const std::string& name : request.functions) add(name);
   }
   Selection result;
 
  private:
-  void add(const std::string& name) {
+  void check_options() const {
+    const std::string& prefix = request_.text.prefix;
+    const auto is_letter = [](char c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z'); };
+    const bool is_name = !prefix.empty() && is_letter(prefix[0]) &&
+                         std::all_of(prefix.begin(), prefix.end(),
+                                     [&](char c) { return is_letter(c) || ('0' <= c && c <= '9') || c == '_'; });
+    // What GLSL keeps to itself: gl_, and two underscores.
+    if (!is_name || prefix.rfind("gl_", 0) == 0 || prefix.find("__") != std::string::npos) {
+      throw RequestError("--prefix: '" + prefix + "' begins no name of all languages");
+    }
+    if (request_.text.precise && dialect_.precise.empty()) {
+      throw RequestError("--precise: " + std::string(dialect_.title) + " has no such word");
+    }
+  }
+
+  void add(const std::string& item) {
+    const std::size_t at = item.find('@');
+    const std::string name = item.substr(0, at);
+    const int bands = at == std::string::npos ? request_.bands : parse_bands("'" + item + "'", item.substr(at + 1));
     const std::size_t colon = name.find(':');
     const std::string base = name.substr(0, colon);
     if (const FunctionEntry* function = find_function(base)) {
-      RecordedFunction recorded = function->record(bands_, zonal::glsl::all_orders);
+      if (at != std::string::npos && !function->has_bands) refuse(item, "has no bands to choose");
+      RecordedFunction recorded = function->record(bands, zonal::glsl::all_orders);
       if (colon != std::string::npos) {
         const std::string selection = name.substr(colon + 1);
-        keep_coefficients(recorded, name, parse_coefficients(name, selection, bands_), bands_);
+        const Coefficients coefficients = parse_coefficients(name, selection, bands);
+        if (!keep_coefficients(recorded, [&](int l, int m) { return coefficients.keep(l, m); })) {
+          refuse(name, "has no outputs by degree and order to select from");
+        }
         recorded.name += "_" + selection;
+        recorded.remark = remark(selection, coefficients);
       }
       add(std::move(recorded));
     } else if (const Shell* shell = zonal::glsl::find_shell(name)) {
-      if (dialect_.name != "glsl450" && dialect_.name != "glsles300")
-        refuse(name, "is a loop, which is there in GLSL only");
-      add(*shell);
+      if (!dialect_.has_loops) refuse(name, "is a loop, which is there in GLSL only");
+      if (request_.text.flat) refuse(name, "is a loop, which takes arrays: not with --flat");
+      add(*shell, bands);
     } else {
       refuse(name, "is no function (--list names them)");
     }
   }
   void add(RecordedFunction&& recorded) {
     const auto is_same = [&](const RecordedFunction& other) { return other.name == recorded.name; };
-    if (std::none_of(result.functions.begin(), result.functions.end(), is_same)) {
-      result.functions.push_back(std::move(recorded));
+    if (std::any_of(result.functions.begin(), result.functions.end(), is_same)) return;
+    const std::size_t parameters = parameter_count(recorded, dialect_, request_.text);
+    if (parameters > static_cast<std::size_t>(dialect_.max_parameters)) {
+      throw RequestError(recorded.name + " would have " + std::to_string(parameters) + " parameters; " +
+                         std::string(dialect_.title) + " allows " + std::to_string(dialect_.max_parameters));
     }
+    result.functions.push_back(std::move(recorded));
   }
-  void add(const Shell& shell) {
-    for (const auto& need : shell.needs(bands_)) add(find_function(need.function)->record(bands_, need.order));
-    std::string text = shell.text(bands_);
-    if (std::find(result.shells.begin(), result.shells.end(), text) == result.shells.end()) {
-      result.shells.push_back(std::move(text));
-    }
+  void add(const Shell& shell, int bands) {
+    const std::string name = shell_name(shell, bands, request_.text);
+    const auto is_same = [&](const NamedText& other) { return other.name == name; };
+    if (std::any_of(result.shells.begin(), result.shells.end(), is_same)) return;
+    for (const auto& need : shell.needs(bands)) add(find_function(need.function)->record(bands, need.order));
+    result.shells.push_back({name, shell_text(shell, bands, dialect_, request_.text)});
   }
 
-  int bands_;
+  const Request& request_;
   const Dialect& dialect_;
 };
 
@@ -111,35 +127,46 @@ std::string join(const std::vector<std::string>& names) {
   return text;
 }
 
-/// ZONAL_5_EVALUATE_CAP_GLSL: files of different contents have different guards.
-std::string guard(const Request& request) {
-  std::string name = "ZONAL_" + std::to_string(request.bands) + "_" + join(request.functions) + "_GLSL";
-  for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) ? static_cast<char>(std::toupper(c)) : '_';
-  return name;
+/// The options that a file was made with.
+std::string made_by(const Request& request) {
+  const zonal::glsl::TextOptions& text = request.text;
+  return "--bands " + std::to_string(request.bands) + " --functions " + join(request.functions) +
+         (text.compound ? "" : " --temporaries") + (text.precise ? " --precise" : "") + (text.flat ? " --flat" : "") +
+         (text.prefix == zonal::glsl::TextOptions().prefix ? "" : " --prefix " + text.prefix);
 }
 
 }  // namespace
+
+int parse_bands(const std::string& option, const std::string& text) {
+  for (int bands = 1; bands <= zonal::glsl::max_bands; ++bands) {
+    if (text == std::to_string(bands)) return bands;
+  }
+  throw RequestError(option + ": '" + text + "' is not in 1..." + std::to_string(zonal::glsl::max_bands));
+}
 
 Selection select(const Request& request, const Dialect& dialect) { return Selector(request, dialect).result; }
 
 std::string shader_file(const Request& request, const Dialect& dialect) {
   const Selection selection = select(request, dialect);
-  const std::string made_by = "--bands " + std::to_string(request.bands) + " --functions " + join(request.functions) +
-                              (request.text.compound ? "" : " --temporaries");
-  return zonal::glsl::file_text(selection.functions, selection.shells, dialect, {guard(request), made_by},
-                                request.text);
+  return zonal::glsl::file_text(selection.functions, selection.shells, dialect, made_by(request), request.text);
 }
 
-std::string function_list() {
+std::string function_list(const Request& request, const Dialect& dialect) {
   std::string text;
-  const auto add = [&](std::string_view name, std::string_view summary) {
+  const auto add = [&](std::string_view name, std::string_view summary, const std::string& signature) {
     std::string line(name);
     line.resize(std::max<std::size_t>(line.size() + 1, 30), ' ');
-    text += line + std::string(summary) + "\n";
+    text += line + std::string(summary) + "\n    " + signature + "\n";
   };
-  for (const FunctionEntry& entry : shader_functions()) add(entry.name, entry.summary);
+  for (const FunctionEntry& entry : shader_functions()) {
+    const RecordedFunction function = entry.record(request.bands, zonal::glsl::all_orders);
+    add(entry.name, entry.summary, signature_text(function, dialect, request.text));
+  }
+  if (!dialect.has_loops) return text;
   text += "\nLoops, in GLSL only:\n";
-  for (const Shell& shell : zonal::glsl::shells) add(shell.name, shell.summary);
+  for (const Shell& shell : zonal::glsl::shells) {
+    add(shell.name, shell.summary, signature_text(shell, request.bands, dialect, request.text));
+  }
   return text;
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <zonal/glsl/dialect.hpp>
-#include <zonal/glsl/function_text.hpp>
+#include <zonal/glsl/file_text.hpp>
 
 namespace zonal_glsl {
 
@@ -14,8 +14,8 @@ struct RequestError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Functions and shells by name, for one number of bands. A function's name may end in a selection of its coefficients,
-/// evaluate:even (m >= 0) or evaluate:degree2: what the others alone need is left out.
+/// Functions and shells by name: <name>[:even|:degree<l>][@<bands>]. A selection of coefficients, evaluate:even (m >=
+/// 0) or evaluate:degree2, leaves the others out, and what they alone need; without @<bands> there are `bands`.
 struct Request {
   std::vector<std::string> functions;
   int bands = 5;
@@ -25,8 +25,11 @@ struct Request {
 /// What was asked for, and the functions that its shells need; each once, in the order of first need.
 struct Selection {
   std::vector<zonal::glsl::RecordedFunction> functions;
-  std::vector<std::string> shells;
+  std::vector<zonal::glsl::NamedText> shells;
 };
+
+/// The number of bands that the text names; RequestError, which names `option`, if it is none.
+int parse_bands(const std::string& option, const std::string& text);
 
 /// Throws RequestError for a name or a selection that is none.
 Selection select(const Request& request, const zonal::glsl::Dialect& dialect);
@@ -34,8 +37,8 @@ Selection select(const Request& request, const zonal::glsl::Dialect& dialect);
 /// The file that holds the selection.
 std::string shader_file(const Request& request, const zonal::glsl::Dialect& dialect);
 
-/// Names and what they give, for --list.
-std::string function_list();
+/// Names, what they give and their signatures, for --list.
+std::string function_list(const Request& request, const zonal::glsl::Dialect& dialect);
 
 /// A table of operations, for --count.
 std::string operation_table(const Request& request, const zonal::glsl::Dialect& dialect);

@@ -27,8 +27,8 @@ inline constexpr int least_hessian_in_rows = 8;
 // Loops run on to a multiple of this, into the next degree, which overwrites it.
 inline constexpr int row_step = 8;
 
-// The weighted step from degree l to a neighbour, one degree up or down, for m of either sign: two terms for x and y, one
-// for z. With Y of the neighbour's degree, R^m = Y^-m:
+// The weighted step from degree l to a neighbour, one degree up or down, for m of either sign: two terms for x and y,
+// one for z. With Y of the neighbour's degree, R^m = Y^-m:
 //   x: x_plus Y^(m+1) + x_minus Y^(m-1)    y: y_plus R^(m+1) + y_minus R^(m-1)    z: same Y^m
 template <int N, class T, class Weights, bool is_up>
 struct StepRows {

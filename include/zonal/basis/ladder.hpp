@@ -126,8 +126,7 @@ ZONAL_INLINE constexpr auto step(Above&& above, Below&& below) {
 template <int l, class T, class Weights, class Above, class Below, class Sink>
 ZONAL_INLINE constexpr void ladder(Above&& above, Below&& below, Sink&& sink) {
   unroll<0, l + 1>([&](auto m) ZONAL_INLINE {
-    const auto keep = [&](auto order)
-                          ZONAL_INLINE { return step<Rung::keep, l, m, order, T, Weights>(above, below); };
+    const auto keep = [&](auto order) ZONAL_INLINE { return step<Rung::keep, l, m, order, T, Weights>(above, below); };
     const auto raise = [&](auto order)
                            ZONAL_INLINE { return step<Rung::raise, l, m, order, T, Weights>(above, below); };
     const auto lower = [&](auto order)

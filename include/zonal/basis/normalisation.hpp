@@ -17,7 +17,7 @@ inline constexpr long double zonal_to_degree = constexpr_sqrt(4 * kPi / (2 * l +
 
 // 2 pi K_l = sqrt(pi (2l+1)): from the integral of f(u) P_l(u) du to the zonal coefficient.
 template <int l>
-inline constexpr long double zonal_integral = constexpr_sqrt(kPi * (2 * l + 1));
+inline constexpr long double zonal_integral = constexpr_sqrt(kPi*(2 * l + 1));
 
 }  // namespace detail
 }  // namespace ZONAL_TARGET

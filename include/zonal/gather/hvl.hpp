@@ -17,6 +17,7 @@
 // [1] Mezieres et al., Harmonics Virtual Lights, CGF 41(6), 2022.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "../basis/evaluate.hpp"
@@ -93,8 +94,9 @@ ZONAL_INLINE inline void hvl_radiance(const HvlRecord<NE, T>& light, const Recei
   for (int c = 0; c < 3; ++c) radiance[c] = maximum(sent[c], T(0)) * geometry * reflected[c];
 }
 
-/// The virtual lights in packets. Lights without power, area or material are left out: they contribute exactly
-/// nothing. NE bands of emission; 1 is exact for diffuse emitters and needs no evaluation at all.
+/// The virtual lights in packets. Lights without power or material are left out: they contribute exactly nothing. One
+/// without area is a point light, for its radius counts as least_light_radius. NE bands of emission; 1 is exact for
+/// diffuse emitters and needs no evaluation at all.
 template <int NE>
 class HvlCache {
  public:
@@ -105,8 +107,8 @@ class HvlCache {
   HvlCache() = default;
   explicit HvlCache(const std::vector<VirtualLight>& lights) {
     for (const VirtualLight& light : lights) {
-      const bool shines = light.flux != glm::vec3(0) && light.radius > 0 && light.material != nullptr &&
-                          glm::dot(light.normal, light.to_primary) > 0;
+      const bool shines =
+          light.flux != glm::vec3(0) && light.material != nullptr && glm::dot(light.normal, light.to_primary) > 0;
       if (shines) append(light);
     }
   }
@@ -121,7 +123,8 @@ class HvlCache {
     const glm::vec3 tangent = detail::tangent_towards(light.normal, light.to_primary);
     const EvenSh<NE, glm::vec3> reflected =
         light.material->template without_cosine<NE>(glm::dot(light.normal, light.to_primary));
-    const glm::vec3 scale = light.flux / (light.radius * light.radius);
+    const float radius = (std::max)(light.radius, least_light_radius);
+    const glm::vec3 scale = light.flux / (radius * radius);
 
     Record<float> record;
     for (int i = 0; i < 3; ++i) {
@@ -135,7 +138,7 @@ class HvlCache {
         for (int c = 0; c < 3; ++c) record.emission[c][emission_index(l, m)] = sent[c];
       }
     }
-    record.radius = light.radius;
+    record.radius = radius;
     records_.append(record);
   }
 
@@ -143,7 +146,7 @@ class HvlCache {
 };
 
 /// Outgoing radiance, RGB, at the receiver from all lights of the cache: one bounce, N bands of the receiver's
-/// material (N <= its table's). Negative sums, which ringing can leave, are cut to zero.
+/// material, of which those beyond its table's are zero. Negative sums, which ringing can leave, are cut to zero.
 template <int N, int NE, Horizon method = Horizon::smoothstep>
 glm::vec3 gather(const HvlCache<NE>& cache, const Receiver& receiver, const MaterialTable& material,
                  const Visibility& visible = {}) {

@@ -9,8 +9,9 @@
 namespace zonal {
 inline namespace ZONAL_TARGET {
 
-/// Packet after packet, each field by field: one gather step reads one run of memory. Record<T> has field(i), i <
-/// field_count; the last packet is padded with zeros in all fields.
+/// Block after block of 16 records, each field by field, of which a packet is as many lanes as the target has: what is
+/// kept in memory is the same for every target, so that a unit compiled by other flags may read it. Record<T> has
+/// field(i), i < field_count; the last block is padded with zeros in all fields.
 template <template <class> class Record>
 class PacketArray {
  public:
@@ -22,22 +23,25 @@ class PacketArray {
   int packet_count() const { return (size_ + Lanes::width - 1) / Lanes::width; }
 
   void append(Record<float> record) {
-    const int lane = size_ % Lanes::width;
-    if (lane == 0) fields_.resize(fields_.size() + packet_size, 0.0F);
-    float* target = fields_.data() + fields_.size() - packet_size + lane;
-    for (int i = 0; i < field_count; ++i) target[i * Lanes::width] = record.field(i);
+    const int lane = size_ % block_lanes;
+    if (lane == 0) fields_.resize(fields_.size() + block_size, 0.0F);
+    float* target = fields_.data() + fields_.size() - block_size + lane;
+    for (int i = 0; i < field_count; ++i) target[i * block_lanes] = record.field(i);
     ++size_;
   }
 
   ZONAL_INLINE Record<Lanes> packet(int index) const {
     Record<Lanes> record;
-    const float* source = fields_.data() + std::size_t(index) * packet_size;
-    unroll<0, field_count>([&](auto i) ZONAL_INLINE { record.field(i) = Lanes::load(source + i * Lanes::width); });
+    const unsigned first = unsigned(index) * unsigned(Lanes::width);
+    const float* source = fields_.data() + std::size_t(first / block_lanes) * block_size + first % block_lanes;
+    unroll<0, field_count>([&](auto i) ZONAL_INLINE { record.field(i) = Lanes::load(source + i * block_lanes); });
     return record;
   }
 
  private:
-  static constexpr std::size_t packet_size = std::size_t(Lanes::width * field_count);
+  static constexpr int block_lanes = 16;
+  static constexpr std::size_t block_size = std::size_t(block_lanes * field_count);
+  static_assert(block_lanes % Lanes::width == 0, "a block is whole packets");
 
   std::vector<float> fields_;
   int size_ = 0;

@@ -9,10 +9,10 @@ namespace zonal {
 inline namespace ZONAL_TARGET {
 namespace glsl {
 
-/// How parameters are declared, which no word in a table can say.
+/// How parameters and locals are declared, which no word in a table can say.
 enum class Declarations {
   glsl,  // out float y[25], in float zh[5]
-  hlsl,  // the same; results are precise by a local variable alone
+  hlsl,  // the same; results are precise by every local variable on their way
   wgsl,  // y: ptr<function, array<f32, 25>>, zh: array<f32, 5>
   cpp,   // float (&y)[25], const float (&zh)[5]
 };
@@ -20,26 +20,21 @@ enum class Declarations {
 struct Dialect {
   std::string_view name, title;  // on the command line, and in comments
   Declarations declarations;
-  std::string_view number, pair, triple;     // types
-  std::string_view temporary, flag, result;  // what stands before a new number, a new bool, a precise result
-  std::string_view function;                 // what stands before a function
-  std::string_view square_root, absolute;    // functions
-  bool has_components;                       // v.x, or v[0]
-  bool has_minimum;                          // min(a, b), or b < a ? b : a
-  bool has_ternary;                          // a < b ? c : d, or select(d, c, a < b)
-  std::string_view prologue;                 // at the top of a file
+  std::string_view number, pair, triple;  // types
+  std::string_view precision;             // stands before a type where that needs one: a default may be missing or low
+  std::string_view precise;               // forbids to reassociate and contract; empty where there is no such word
+  std::string_view local;                 // stands before a new number
+  std::string_view function;              // stands before a function
+  std::string_view square_root, absolute;
+  bool has_components;           // v.x, or v[0]
+  bool has_minimum;              // min(a, b), or b < a ? b : a
+  bool has_ternary;              // a < b ? c : d, or select(d, c, a < b)
+  bool has_preprocessor;         // hence guards
+  bool has_loops;                // whether the loops of shells.hpp are written in it
+  std::string_view prologue;     // at the top of a file
+  int max_parameters = 1 << 20;  // of a function
 };
 
-// Where a compiler may reassociate and contract, results are `precise`. Defined as nothing before this file is
-// included, the macro allows both: faster on some hardware, and no longer equal to C++ to the bit.
-inline constexpr std::string_view precise_macro = R"(#ifndef ZONAL_PRECISE
-#define ZONAL_PRECISE precise
-#endif
-)";
-inline constexpr std::string_view no_precise_macro = R"(#ifndef ZONAL_PRECISE
-#define ZONAL_PRECISE
-#endif
-)";
 inline constexpr std::string_view cpp_prologue = R"(#include <math.h>
 #ifndef ZONAL_FUNCTION
 #ifdef __CUDACC__
@@ -51,16 +46,16 @@ inline constexpr std::string_view cpp_prologue = R"(#include <math.h>
 )";
 
 inline constexpr Dialect dialects[] = {
-    {"glsl450", "GLSL 4.50", Declarations::glsl, "float", "vec2", "vec3", "float ", "bool ", "ZONAL_PRECISE ", "",
-     "sqrt", "abs", true, true, true, precise_macro},
-    {"glsles300", "GLSL ES 3.00", Declarations::glsl, "float", "vec2", "vec3", "float ", "bool ", "ZONAL_PRECISE ", "",
-     "sqrt", "abs", true, true, true, no_precise_macro},
-    {"hlsl", "HLSL", Declarations::hlsl, "float", "float2", "float3", "precise float ", "bool ", "precise ", "", "sqrt",
-     "abs", true, true, true, ""},
-    {"wgsl", "WGSL", Declarations::wgsl, "f32", "vec2<f32>", "vec3<f32>", "let ", "let ", "let ", "", "sqrt", "abs",
+    {"glsl450", "GLSL 4.50", Declarations::glsl, "float", "vec2", "vec3", "", "precise ", "", "", "sqrt", "abs", true,
+     true, true, true, true, ""},
+    {"glsles300", "GLSL ES 3.00", Declarations::glsl, "float", "vec2", "vec3", "highp ", "", "", "", "sqrt", "abs",
+     true, true, true, true, true, ""},
+    {"hlsl", "HLSL", Declarations::hlsl, "float", "float2", "float3", "", "precise ", "", "", "sqrt", "abs", true, true,
      true, true, false, ""},
-    {"cpp", "C++ and CUDA", Declarations::cpp, "float", "float", "float", "const float ", "const bool ", "const ",
-     "ZONAL_FUNCTION ", "sqrtf", "fabsf", false, false, true, cpp_prologue},
+    {"wgsl", "WGSL", Declarations::wgsl, "f32", "vec2<f32>", "vec3<f32>", "", "", "let ", "", "sqrt", "abs", true, true,
+     false, false, false, "", 255},
+    {"cpp", "C++ and CUDA", Declarations::cpp, "float", "float", "float", "", "", "const ", "ZONAL_FUNCTION ", "sqrtf",
+     "fabsf", false, false, true, true, false, cpp_prologue},
 };
 
 /// The dialect of this name, or null.

@@ -7,6 +7,9 @@
 //   evaluate<N>(direction[0], direction[1], direction[2], [&](auto l, auto m, const T& value) { y(l, m) = value; });
 //
 // With a Recorder that writes the shader function down, parameters and all; with a float it runs it.
+//
+// An entry for colours (OfColours in functions.hpp) runs the same kernel three times, a channel at a time: its
+// coefficients are then triples, and what does not depend on them is shared, for a record holds no operation twice.
 #pragma once
 
 #include <array>
@@ -32,7 +35,7 @@ enum class Domain {
   half_angle,       // its cosine and sine, 0 to pi/2
   cosine,           // -1 to 1
   exponent,         // >= 0
-  window_width,     // >= the number of bands less one
+  window_width,     // > 0
   cell_coordinate,  // 0 to 1
   vertex_count,     // a whole number, >= 2
 };
@@ -46,6 +49,7 @@ struct Parameter {
   Domain domain;
   int components;
   int count;
+  bool has_orders = false;  // whether (l, m) stands at l (l + 1) + m
 
   bool is_array() const { return count > 0; }
   int elements() const { return is_array() ? count : 1; }
@@ -56,7 +60,8 @@ struct Parameter {
 template <class T>
 struct Numbers {
   T* values;
-  T& operator[](int i) const { return values[i]; }
+  int stride;  // 3 where they are one channel of colours
+  T& operator[](int i) const { return values[stride * i]; }
 };
 template <class T>
 struct Triples {
@@ -69,6 +74,9 @@ struct Triples {
 
 inline constexpr int all_orders = -1;
 
+/// Which coefficients are colours: none; those of the first operand; those of all.
+enum class Colours { none, first, all };
+
 /// Hands a kernel its inputs and collects its outputs.
 template <class T>
 class FunctionIo {
@@ -78,6 +86,13 @@ class FunctionIo {
   using Source = std::function<T(const Parameter& parameter)>;
 
   explicit FunctionIo(Source source, int order = all_orders) : source_(std::move(source)), order_(order) {}
+
+  /// The kernel is about to run for a channel, 0, 1 and 2 in turn. Results are colours then.
+  void start_channel(Colours colours, int channel) {
+    colours_ = colours;
+    channel_ = channel;
+    next_input_ = next_output_ = 0;
+  }
 
   T number(const char* name, Domain domain) { return take<1>({name, Direction::in, domain, 1, 0})[0]; }
   std::array<T, 3> vector(const char* name, Domain domain) { return take<3>({name, Direction::in, domain, 3, 0}); }
@@ -94,15 +109,30 @@ class FunctionIo {
     return take<std::size_t{3 * Count}>({name, Direction::in, domain, 3, Count});
   }
 
-  /// count 0: a single one, which the function returns if it has no other output.
-  Numbers<T> output(const char* name, int count) {
-    return {put({name, Direction::out, Domain::coefficient, 1, count})};
+  /// Coefficients of a function on the sphere, of the first operand or another: numbers or colours.
+  template <int Count>
+  std::array<T, std::size_t{Count}> coefficients(const char* name, bool is_first = true) {
+    const bool is_coloured = colours_ == Colours::all || (colours_ == Colours::first && is_first);
+    return take<std::size_t{Count}>({name, Direction::in, Domain::coefficient, is_coloured ? 3 : 1, Count},
+                                    is_coloured ? 3 : 1);
   }
+
+  /// count 0: a single one, which the function returns if it has no other output.
+  Numbers<T> output(const char* name, int count) { return result(name, count, false); }
   Triples<T> output_triples(const char* name, int count) {
     return {put({name, Direction::out, Domain::coefficient, 3, count})};
   }
+  /// Coefficients, (l, m) at l (l + 1) + m, and triples in that order.
+  template <int N>
+  Numbers<T> output_sh(const char* name) {
+    return result(name, N * N, true);
+  }
+  template <int N>
+  Triples<T> output_gradient(const char* name) {
+    return {put({name, Direction::out, Domain::coefficient, 3, N * N, true})};
+  }
   Numbers<T> sums(const char* name, int count) {
-    return {put({name, Direction::inout, Domain::coefficient, 1, count})};
+    return {put({name, Direction::inout, Domain::coefficient, 1, count}), 1};
   }
 
   /// Whether coefficients of order m and -m are asked for: all of them, or one pair in a loop over m.
@@ -117,26 +147,43 @@ class FunctionIo {
   }
 
  private:
+  // The parameter's numbers, or every third of them, from the channel's on. The first channel asks for them.
   template <std::size_t Size>
-  std::array<T, Size> take(const Parameter& parameter) {
+  std::array<T, Size> take(const Parameter& parameter, std::size_t stride = 1) {
+    if (channel_ == 0) {
+      std::vector<T>& all = inputs_.emplace_back();
+      for (std::size_t i = 0; i < Size * stride; ++i) all.push_back(source_(parameter));
+      parameters_.push_back(parameter);
+    }
+    const std::vector<T>& all = inputs_[next_input_++];
     std::array<T, Size> values;
-    for (T& value : values) value = source_(parameter);
-    parameters_.push_back(parameter);
+    for (std::size_t i = 0; i < Size; ++i) values[i] = all[stride * i + (stride > 1 ? channel() : 0)];
     return values;
   }
   T* put(const Parameter& parameter) {
-    std::vector<T>& values = outputs_.emplace_back(static_cast<std::size_t>(parameter.size()), T(0));
-    if (parameter.direction == Direction::inout) {
-      for (T& value : values) value = source_(parameter);
+    if (channel_ == 0) {
+      std::vector<T>& values = outputs_.emplace_back(static_cast<std::size_t>(parameter.size()), T(0));
+      if (parameter.direction == Direction::inout) {
+        for (T& value : values) value = source_(parameter);
+      }
+      parameters_.push_back(parameter);
     }
-    parameters_.push_back(parameter);
-    return values.data();
+    return outputs_[next_output_++].data();
   }
+  Numbers<T> result(const char* name, int count, bool has_orders) {
+    const bool is_coloured = colours_ != Colours::none;
+    T* values = put({name, Direction::out, Domain::coefficient, is_coloured ? 3 : 1, count, has_orders});
+    return {values + (is_coloured ? channel() : 0), is_coloured ? 3 : 1};
+  }
+  std::size_t channel() const { return static_cast<std::size_t>(channel_); }
 
   Source source_;
   int order_;
+  Colours colours_ = Colours::none;
+  int channel_ = 0;
+  std::size_t next_input_ = 0, next_output_ = 0;
   std::vector<Parameter> parameters_;
-  std::deque<std::vector<T>> outputs_;  // a deque: kernels hold pointers into it
+  std::deque<std::vector<T>> inputs_, outputs_;  // a deque: kernels hold pointers into it
 };
 
 }  // namespace glsl

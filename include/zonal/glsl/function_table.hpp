@@ -12,7 +12,12 @@ namespace zonal {
 inline namespace ZONAL_TARGET {
 namespace glsl {
 
+// To compile them takes time with the square.
+#ifdef ZONAL_GLSL_MAX_BANDS
+inline constexpr int max_bands = ZONAL_GLSL_MAX_BANDS;
+#else
 inline constexpr int max_bands = 10;
+#endif
 
 struct FunctionEntry {
   std::string_view name, summary;

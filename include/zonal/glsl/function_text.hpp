@@ -21,7 +21,19 @@ namespace glsl {
 
 struct TextOptions {
   bool compound = true;  // what is used once stands where it is used; otherwise every operation has a temporary
+  bool precise = false;  // the compiler may not reassociate nor contract, where the dialect has a word for it
+  bool flat = false;     // a parameter for each element instead of an array: y_4 for y[4], and _flat after the name
+  std::string prefix = "zonal_";  // of all names
 };
+
+/// A name that begins with zonal_ as the options have it.
+inline std::string prefixed(const std::string& name, const TextOptions& options) {
+  return options.prefix + name.substr(sizeof "zonal_" - 1);
+}
+/// How the text calls the function.
+inline std::string text_name(const RecordedFunction& function, const TextOptions& options) {
+  return prefixed(function.name, options) + (options.flat ? "_flat" : "");
+}
 
 /// The shortest decimal that reads back to the same float, with the suffix that makes it one.
 inline std::string literal(float value) {
@@ -65,54 +77,12 @@ class FunctionWriter {
     return result + body_ + "}\n";
   }
 
- private:
-  bool is(Declarations d) const { return dialect_.declarations == d; }
-
-  std::string comment() const {
-    const OperationCount count = function_.count();
-    std::string text = "// " + function_.summary + "\n// " + std::to_string(count.total()) + " operations: ";
-    text += std::to_string(count.additions) + " additions, " + std::to_string(count.multiplications) +
-            " multiplications, " + std::to_string(count.divisions) + " divisions, " + std::to_string(count.functions) +
-            " square roots, " + std::to_string(count.comparisons) + " comparisons and choices.\n";
-    return text;
-  }
-
-  // ---- The signature -----------------------------------------------------------------------------------------------
-
-  std::string type(const Parameter& p) const {
-    return std::string(p.components == 1 ? dialect_.number : p.components == 2 ? dialect_.pair : dialect_.triple);
-  }
-  static std::string brackets(int count) { return "[" + std::to_string(count) + "]"; }
-
-  std::string declaration(const Parameter& p) const {
-    const std::string name = p.name, array = p.is_array() ? brackets(p.count) : "";
-    const bool is_in = p.direction == Direction::in;
-    const std::string way = is_in ? "" : p.direction == Direction::out ? "out " : "inout ";
-    switch (dialect_.declarations) {
-      case Declarations::glsl:
-        return (is_in ? "" : std::string(dialect_.result)) + (is_in && p.is_array() ? "in " : way) + type(p) + " " +
-               name + array;
-      case Declarations::hlsl: return way + type(p) + " " + name + array;
-      case Declarations::wgsl: {
-        const std::string whole = p.is_array() ? "array<" + type(p) + ", " + std::to_string(p.count) + ">" : type(p);
-        return name + ": " + (is_in ? whole : "ptr<function, " + whole + ">");
-      }
-      case Declarations::cpp: break;
-    }
-    const std::string all = array + (p.components > 1 ? brackets(p.components) : "");
-    if (all.empty()) return "float " + std::string(is_in ? "" : "&") + name;
-    return std::string(is_in ? "const " : "") + "float (&" + name + ")" + all;
-  }
-
   std::string signature() const {
-    std::vector<std::string> parameters;
-    for (const Parameter& p : function_.parameters) {
-      if (!(returns_ && &p == outputs_.front())) parameters.push_back(declaration(p));
-    }
+    const std::vector<std::string> parameters = declarations();
     const std::string result = returns_ ? type(*outputs_.front()) : "void";
     std::string text = std::string(dialect_.function);
     text += is(Declarations::wgsl) ? "fn " : result + " ";
-    text += function_.name + "(";
+    text += text_name(function_, options_) + "(";
     std::size_t column = text.size();
     for (std::size_t i = 0; i < parameters.size(); ++i) {
       if (i > 0) text += ",";
@@ -127,13 +97,74 @@ class FunctionWriter {
     return text;
   }
 
+  /// Of all parameters, one each.
+  std::vector<std::string> declarations() const {
+    std::vector<std::string> all;
+    for (const Parameter& p : function_.parameters) {
+      if (returns_ && &p == outputs_.front()) continue;
+      if (!is_flat(p)) {
+        all.push_back(declaration(p, p.name, p.count));
+      } else {
+        for (int i = 0; i < p.count; ++i) all.push_back(declaration(p, flat_name(p, i), 0));
+      }
+    }
+    return all;
+  }
+
+ private:
+  bool is(Declarations d) const { return dialect_.declarations == d; }
+
+  std::string comment() const {
+    const OperationCount count = function_.count();
+    std::string text = "// " + function_.summary + "\n";
+    if (!function_.remark.empty()) text += "// " + function_.remark + "\n";
+    text += "// " + std::to_string(count.total()) + " operations: ";
+    text += std::to_string(count.additions) + " additions, " + std::to_string(count.multiplications) +
+            " multiplications, " + std::to_string(count.divisions) + " divisions, " + std::to_string(count.functions) +
+            " square roots, " + std::to_string(count.comparisons) + " comparisons and choices.\n";
+    return text;
+  }
+
+  // ---- The signature -----------------------------------------------------------------------------------------------
+
+  // vec3, and as it is declared: highp vec3.
+  std::string bare_type(const Parameter& p) const {
+    return std::string(p.components == 1 ? dialect_.number : p.components == 2 ? dialect_.pair : dialect_.triple);
+  }
+  std::string type(const Parameter& p) const { return std::string(dialect_.precision) + bare_type(p); }
+  std::string precise() const { return options_.precise ? std::string(dialect_.precise) : ""; }
+  static std::string brackets(int count) { return "[" + std::to_string(count) + "]"; }
+  bool is_flat(const Parameter& p) const { return options_.flat && p.is_array(); }
+  static std::string flat_name(const Parameter& p, int i) { return std::string(p.name) + "_" + std::to_string(i); }
+
+  // An array of so many, or a single one if 0.
+  std::string declaration(const Parameter& p, const std::string& name, int count) const {
+    const std::string array = count > 0 ? brackets(count) : "";
+    const bool is_in = p.direction == Direction::in;
+    const std::string way = is_in ? "" : p.direction == Direction::out ? "out " : "inout ";
+    switch (dialect_.declarations) {
+      case Declarations::glsl:
+        return (is_in ? "" : precise()) + (is_in && count > 0 ? "in " : way) + type(p) + " " + name + array;
+      case Declarations::hlsl: return way + type(p) + " " + name + array;
+      case Declarations::wgsl: {
+        const std::string whole = count > 0 ? "array<" + type(p) + ", " + std::to_string(count) + ">" : type(p);
+        return name + ": " + (is_in ? whole : "ptr<function, " + whole + ">");
+      }
+      case Declarations::cpp: break;
+    }
+    const std::string all = array + (p.components > 1 ? brackets(p.components) : "");
+    if (all.empty()) return "float " + std::string(is_in ? "" : "&") + name;
+    return std::string(is_in ? "const " : "") + "float (&" + name + ")" + all;
+  }
+
   // ---- The body ----------------------------------------------------------------------------------------------------
 
-  /// y[4], gradient[4].x, or (*y)[4].
+  /// y[4], gradient[4].x, or (*y)[4]; y_4 where it is flat.
   std::string element(const Parameter& p, int index) const {
     const bool by_pointer = is(Declarations::wgsl) && p.direction != Direction::in;
-    std::string text = by_pointer ? "(*" + std::string(p.name) + ")" : p.name;
-    if (p.is_array()) text += brackets(index / p.components);
+    std::string text = is_flat(p) ? flat_name(p, index / p.components) : p.name;
+    if (by_pointer) text = "(*" + text + ")";
+    if (p.is_array() && !is_flat(p)) text += brackets(index / p.components);
     if (p.components > 1) {
       const int component = index % p.components;
       text += dialect_.has_components ? "." + std::string(1, "xyz"[component]) : brackets(component);
@@ -193,10 +224,18 @@ class FunctionWriter {
                        (options_.compound && uses_[i] == 1 && e.text.size() < longest_compound);
     if (!stays) {
       const std::string name = (is_flag ? "is_" : "t") + std::to_string(temporaries_++);
-      body_ += "  " + std::string(is_flag ? dialect_.flag : dialect_.temporary) + name + " = " + e.text + ";\n";
+      body_ += "  " +
+               local(is_flag ? "bool" : std::string(dialect_.precision) + std::string(dialect_.number),
+                     !is_flag && is(Declarations::hlsl)) +
+               name + " = " + e.text + ";\n";
       e = {name, Binding::primary};
     }
     expressions_[i] = std::move(e);
+  }
+
+  // What stands before the name of a new one.
+  std::string local(const std::string& its_type, bool is_precise) const {
+    return (is_precise ? precise() : "") + std::string(dialect_.local) + (is(Declarations::wgsl) ? "" : its_type + " ");
   }
 
   bool is_spelled_as_choice(Operation operation) const {
@@ -269,12 +308,14 @@ class FunctionWriter {
 
   void write_return() {
     const Parameter& p = *outputs_.front();
+    std::vector<std::string> components;
+    std::size_t length = 0;
+    for (const Recorder& output : function_.outputs) length += components.emplace_back(value(output)).size() + 2;
+    const std::string separator = length > longest_compound ? ",\n      " : ", ";
     std::string whole;
-    for (const Recorder& output : function_.outputs) whole += (whole.empty() ? "" : ", ") + value(output);
-    if (p.components > 1) whole = type(p) + "(" + whole + ")";
-    const bool names_type = is(Declarations::glsl) || is(Declarations::hlsl) || is(Declarations::cpp);
-    body_ += "  " + std::string(dialect_.result) + (names_type ? type(p) + " " : "") + p.name + " = " + whole +
-             ";\n  return " + p.name + ";\n";
+    for (const std::string& component : components) whole += (whole.empty() ? "" : separator) + component;
+    if (p.components > 1) whole = bare_type(p) + "(" + whole + ")";
+    body_ += "  " + local(type(p), true) + p.name + " = " + whole + ";\n  return " + p.name + ";\n";
   }
 
   static constexpr std::size_t longest_compound = 72;
@@ -298,6 +339,17 @@ class FunctionWriter {
 inline std::string function_text(const RecordedFunction& function, const Dialect& dialect,
                                  const TextOptions& options = {}) {
   return detail::FunctionWriter(function, dialect, options).text();
+}
+
+/// Its signature alone, without what ends it.
+inline std::string signature_text(const RecordedFunction& function, const Dialect& dialect,
+                                  const TextOptions& options = {}) {
+  return detail::FunctionWriter(function, dialect, options).signature();
+}
+/// How many parameters it has in the text.
+inline std::size_t parameter_count(const RecordedFunction& function, const Dialect& dialect,
+                                   const TextOptions& options) {
+  return detail::FunctionWriter(function, dialect, options).declarations().size();
 }
 
 }  // namespace glsl

@@ -3,12 +3,19 @@
 // An entry has a name, a line that says what it gives, and itself: run<N>(io) for any scalar (function_io.hpp). A new
 // function is one entry here and its name in a list at the end.
 //
+// The name of a function in a shader is zonal_<name>_<bands>: no two functions share a name, in any language, whether
+// it overloads or not.
+//
 // Some take part in a loop over lights for a sum over all orders m, "forward", or order by order, "reversed"
 // [1, section 5.1]: in a loop over m around the loop over lights, few sums are alive at a time. With an order they take
 // or give the coefficients of m and -m alone.
 //
 // [1] Mezieres et al., Recursive analytic spherical harmonics gradient for spherical lights, CGF 41(2), 2022.
 #pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
 
 #include "../gather/hvl.hpp"
 #include "../grid/interpolation_weights.hpp"
@@ -36,7 +43,7 @@ struct Evaluate : Function {
   static void run(Io& io) {
     using T = typename Io::Scalar;
     const auto v = io.vector("direction", Domain::unit_vector);
-    const auto y = io.output("y", N * N);
+    const auto y = io.template output_sh<N>("y");
     evaluate<N>(v[0], v[1], v[2], [&](auto l, auto m, const T& value) { y[sh_index(l, m)] = value; });
   }
 };
@@ -72,8 +79,8 @@ struct EvaluateWithGradient : Function {
   static void run(Io& io) {
     using T = typename Io::Scalar;
     const auto v = io.vector("direction", Domain::unit_vector);
-    const auto y = io.output("y", N * N);
-    const auto gradient = io.output_triples("gradient", N * N);
+    const auto y = io.template output_sh<N>("y");
+    const auto gradient = io.template output_gradient<N>("gradient");
     evaluate_with_gradient<N>(v[0], v[1], v[2],
                               [&](auto l, auto m, const T& value, const T& gx, const T& gy, const T& gz) {
                                 y[sh_index(l, m)] = value;
@@ -172,23 +179,23 @@ struct Gaussian : Function {
 
 namespace detail {
 template <template <int, class> class Coefficients, int N, int Count, class Io>
-auto take_coefficients(Io& io, const char* name) {
-  const auto values = io.template numbers<Count>(name, Domain::coefficient);
+auto take_coefficients(Io& io, const char* name, bool is_first) {
+  const auto values = io.template coefficients<Count>(name, is_first);
   Coefficients<N, typename Io::Scalar> result{};
   for (int i = 0; i < Count; ++i) result[i] = values[static_cast<std::size_t>(i)];
   return result;
 }
 template <int N, class Io>
-auto take_sh(Io& io, const char* name) {
-  return take_coefficients<Sh, N, N * N>(io, name);
+auto take_sh(Io& io, const char* name, bool is_first = true) {
+  return take_coefficients<Sh, N, N * N>(io, name, is_first);
 }
 template <int N, class Io>
-auto take_even(Io& io, const char* name) {
-  return take_coefficients<EvenSh, N, N*(N + 1) / 2>(io, name);
+auto take_even(Io& io, const char* name, bool is_first = true) {
+  return take_coefficients<EvenSh, N, N*(N + 1) / 2>(io, name, is_first);
 }
 template <int N, class Io>
-auto take_zonal(Io& io, const char* name) {
-  return take_coefficients<Zh, N, N>(io, name);
+auto take_zonal(Io& io, const char* name, bool is_first = true) {
+  return take_coefficients<Zh, N, N>(io, name, is_first);
 }
 }  // namespace detail
 
@@ -200,7 +207,7 @@ struct Orient : Function {
     using T = typename Io::Scalar;
     const auto zh = detail::take_zonal<N>(io, "zh");
     const auto axis = io.vector("axis", Domain::unit_vector);
-    const auto sh = io.output("sh", N * N);
+    const auto sh = io.template output_sh<N>("sh");
     orient(zh, axis[0], axis[1], axis[2], [&](auto l, auto m, const T& value) { sh[sh_index(l, m)] = value; });
   }
 };
@@ -249,16 +256,40 @@ struct ReconstructLambert : Function {
   }
 };
 
+struct ReconstructConvolved : Function {
+  static constexpr const char* name = "reconstruct_convolved";
+  static constexpr const char* summary = "The value in a direction of a convolution with a zonal kernel.";
+  template <int N, class Io>
+  static void run(Io& io) {
+    const auto sh = detail::take_sh<N>(io, "sh");
+    const auto kernel = detail::take_zonal<N>(io, "kernel", false);
+    const auto direction = io.vector("direction", Domain::unit_vector);
+    io.output("value", 0)[0] = reconstruct_convolved(sh, kernel, direction);
+  }
+};
+
 struct Convolve : Function {
   static constexpr const char* name = "convolve";
   static constexpr const char* summary = "Convolution with a zonal kernel.";
   template <int N, class Io>
   static void run(Io& io) {
     const auto sh = detail::take_sh<N>(io, "sh");
-    const auto kernel = detail::take_zonal<N>(io, "kernel");
-    const auto result = io.output("result", N * N);
+    const auto kernel = detail::take_zonal<N>(io, "kernel", false);
+    const auto result = io.template output_sh<N>("result");
     const auto convolved = convolve(sh, kernel);
     for (int i = 0; i < N * N; ++i) result[i] = convolved[i];
+  }
+};
+
+struct ConvolveZonal : Function {
+  static constexpr const char* name = "convolve_zonal";
+  static constexpr const char* summary = "Convolution of a zonal function with a zonal kernel.";
+  template <int N, class Io>
+  static void run(Io& io) {
+    const auto zh = detail::take_zonal<N>(io, "zh"), kernel = detail::take_zonal<N>(io, "kernel", false);
+    const auto result = io.output("result", N);
+    const auto convolved = convolve(zh, kernel);
+    for (int l = 0; l < N; ++l) result[l] = convolved[l];
   }
 };
 
@@ -267,7 +298,27 @@ struct Dot : Function {
   static constexpr const char* summary = "The integral of a product: the sum of the products of coefficients.";
   template <int N, class Io>
   static void run(Io& io) {
-    const auto a = detail::take_sh<N>(io, "a"), b = detail::take_sh<N>(io, "b");
+    const auto a = detail::take_sh<N>(io, "a"), b = detail::take_sh<N>(io, "b", false);
+    io.output("value", 0)[0] = dot(a, b);
+  }
+};
+
+struct DotEven : Function {
+  static constexpr const char* name = "dot_even";
+  static constexpr const char* summary = "The integral of a product of functions even in phi, coefficients of m >= 0.";
+  template <int N, class Io>
+  static void run(Io& io) {
+    const auto a = detail::take_even<N>(io, "a"), b = detail::take_even<N>(io, "b", false);
+    io.output("value", 0)[0] = dot(a, b);
+  }
+};
+
+struct DotZonal : Function {
+  static constexpr const char* name = "dot_zonal";
+  static constexpr const char* summary = "The integral of a product of zonal functions about one axis.";
+  template <int N, class Io>
+  static void run(Io& io) {
+    const auto a = detail::take_zonal<N>(io, "a"), b = detail::take_zonal<N>(io, "b", false);
     io.output("value", 0)[0] = dot(a, b);
   }
 };
@@ -284,6 +335,62 @@ struct WindowFactors : Function {
     const auto factor = io.output("factor", N);
     for (int l = 0; l < N; ++l) factor[l] = window_factor(window, l, width);
   }
+};
+
+template <Window window>
+struct ApplyWindow : Function {
+  static constexpr const char* name = window == Window::hann ? "apply_hann_window" : "apply_sinc_window";
+  static constexpr const char* summary = window == Window::hann
+                                             ? "Each degree times its factor, (1 + cos(pi l / width)) / 2."
+                                             : "Each degree times its factor, sin(pi l / width) / (pi l / width).";
+  template <int N, class Io>
+  static void run(Io& io) {
+    const auto sh = detail::take_sh<N>(io, "sh");
+    const auto width = io.number("width", Domain::window_width);
+    const auto result = io.template output_sh<N>("result");
+    for (int l = 0; l < N; ++l) {
+      const auto factor = window_factor(window, l, width);
+      for (int m = -l; m <= l; ++m) result[sh_index(l, m)] = sh(l, m) * factor;
+    }
+  }
+};
+
+// ---- The same for colours -------------------------------------------------------------------------------------------
+
+namespace detail {
+constexpr std::size_t text_length(const char* text) { return std::string_view(text).size(); }
+
+/// Two texts in one, ended by 0.
+template <std::size_t Size>
+constexpr std::array<char, Size + 1> join_texts(std::string_view a, std::string_view b) {
+  std::array<char, Size + 1> text{};
+  for (std::size_t i = 0; i < Size; ++i) text[i] = i < a.size() ? a[i] : b[i - a.size()];
+  return text;
+}
+}  // namespace detail
+
+/// A function of colours, made of that of numbers: its coefficients and results are triples.
+template <class Entry, Colours colours = Colours::first>
+struct OfColours : Function {
+  template <int N, class Io>
+  static void run(Io& io) {
+    for (int channel = 0; channel < 3; ++channel) {
+      io.start_channel(colours, channel);
+      Entry::template run<N>(io);
+    }
+  }
+
+ private:
+  static constexpr const char* suffix = colours == Colours::first ? "_colour" : "_colours";
+  static constexpr const char* remark = colours == Colours::first ? " For colours." : " For colours by colours.";
+  static constexpr auto joined_name =
+      detail::join_texts<detail::text_length(Entry::name) + detail::text_length(suffix)>(Entry::name, suffix);
+  static constexpr auto joined_summary =
+      detail::join_texts<detail::text_length(Entry::summary) + detail::text_length(remark)>(Entry::summary, remark);
+
+ public:
+  static constexpr const char* name = joined_name.data();
+  static constexpr const char* summary = joined_summary.data();
 };
 
 // ---- Lights ---------------------------------------------------------------------------------------------------------
@@ -304,7 +411,7 @@ struct Sphere : Function {
     using T = typename Io::Scalar;
     const auto light = detail::take_sphere(io);
     const auto x = io.vector("receiver", Domain::position);
-    const auto sh = io.output("sh", N * N);
+    const auto sh = io.template output_sh<N>("sh");
     project<N>(light, x[0], x[1], x[2], [&](auto l, auto m, const T& value) { sh[sh_index(l, m)] = value; });
   }
 };
@@ -317,8 +424,8 @@ struct SphereWithGradient : Function {
     using T = typename Io::Scalar;
     const auto light = detail::take_sphere(io);
     const auto x = io.vector("receiver", Domain::position);
-    const auto sh = io.output("sh", N * N);
-    const auto gradient = io.output_triples("gradient", N * N);
+    const auto sh = io.template output_sh<N>("sh");
+    const auto gradient = io.template output_gradient<N>("gradient");
     project_with_gradient<N>(light, x[0], x[1], x[2],
                              [&](auto l, auto m, const T& value, const T& gx, const T& gy, const T& gz) {
                                sh[sh_index(l, m)] = value;
@@ -423,7 +530,7 @@ struct FinishSums : Function {
     using T = typename Io::Scalar;
     const auto up = io.template numbers<AddSphere::up_count<N>>("up", Domain::coefficient);
     const auto down = io.template numbers<AddSphere::down_count<N>>("down", Domain::coefficient);
-    const auto gradient = io.output_triples("gradient", N * N);
+    const auto gradient = io.template output_gradient<N>("gradient");
     LightSums<N, T> sums;
     sums.for_each([&](int l, int m, int channel, T&, T& u, T& d) {
       const auto i = static_cast<std::size_t>(sh_index(l, m));
@@ -509,7 +616,16 @@ using BasisFunctions =
     FunctionList<Evaluate, EvaluateEven, EvaluateZonal, EvaluateWithGradient,                 // basis
                  Cap, HemisphereCap, SphereCap, CapDerivative, Lambert, Phong, Gaussian,      // lobes
                  Orient, Reconstruct, ReconstructEven, ReconstructZonal, ReconstructLambert,  // transforms
-                 Convolve, Dot, WindowFactors<Window::hann>, WindowFactors<Window::sinc>>;
+                 ReconstructConvolved, Convolve, ConvolveZonal, Dot, DotEven, DotZonal, WindowFactors<Window::hann>,
+                 WindowFactors<Window::sinc>, ApplyWindow<Window::hann>, ApplyWindow<Window::sinc>>;
+// They run kernels of BasisFunctions, and cost next to nothing to compile beside them.
+using ColourFunctions =
+    FunctionList<OfColours<Orient>, OfColours<Reconstruct>, OfColours<ReconstructEven>, OfColours<ReconstructZonal>,
+                 OfColours<ReconstructLambert>, OfColours<ReconstructConvolved>, OfColours<Convolve>,
+                 OfColours<Convolve, Colours::all>, OfColours<ConvolveZonal>, OfColours<ConvolveZonal, Colours::all>,
+                 OfColours<Dot>, OfColours<Dot, Colours::all>, OfColours<DotEven>, OfColours<DotEven, Colours::all>,
+                 OfColours<DotZonal>, OfColours<DotZonal, Colours::all>, OfColours<ApplyWindow<Window::hann>>,
+                 OfColours<ApplyWindow<Window::sinc>>>;
 using SceneFunctions = FunctionList<Sphere, SphereWithGradient,                                               // lights
                                     CellPosition, CellWeightsOf<Interpolation::trilinear>,                    // grid
                                     CellWeightsOf<Interpolation::hermite>, ClearSums, AddSphere, FinishSums,  //

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "../scalar/recorder.hpp"
@@ -15,10 +16,11 @@ namespace glsl {
 struct RecordedFunction {
   std::string name;     // zonal_evaluate_5
   std::string summary;  // one line
+  std::string remark;   // a further line, or none: which coefficients it has, if not all
   std::vector<Parameter> parameters;
   std::unique_ptr<Recording> recording;
   std::vector<Recorder> outputs;  // of all outputs and inouts, one after the other
-  std::vector<bool> kept;         // which of them are asked for
+  std::vector<bool> kept;         // which of them are written: of an inout, those that change
 
   bool is_input(const Recorder& r) const {
     return !r.is_constant() && recording->lines()[static_cast<std::size_t>(r.line())].operation == Operation::input;
@@ -37,6 +39,35 @@ struct RecordedFunction {
     return asked;
   }
 };
+
+/// Leaves out the coefficients for which keep(l, m) does not hold: the arrays that have them become shorter, and what
+/// they alone need is not computed. Whether there were any to choose from.
+template <class Keep>
+bool keep_coefficients(RecordedFunction& function, Keep keep) {
+  std::vector<Recorder> outputs;
+  std::vector<bool> kept;
+  std::size_t at = 0;
+  bool has_any = false;
+  for (Parameter& p : function.parameters) {
+    if (p.direction == Direction::in) continue;
+    const int count = p.elements();
+    if (p.has_orders) p.count = 0;
+    for (int i = 0, l = 0; i < count; ++i) {
+      if (i == (l + 1) * (l + 1)) ++l;
+      const bool stays = !p.has_orders || keep(l, i - l * (l + 1));
+      p.count += p.has_orders && stays;
+      for (int c = 0; c < p.components; ++c, ++at) {
+        if (!stays) continue;
+        outputs.push_back(function.outputs[at]);
+        kept.push_back(function.kept[at]);
+      }
+    }
+    has_any = has_any || p.has_orders;
+  }
+  function.outputs = std::move(outputs);
+  function.kept = std::move(kept);
+  return has_any;
+}
 
 /// zonal_<name>_<bands>, and _order_<m> for one pair of orders.
 template <class Entry>

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "../gather/hvl.hpp"
+#include "file_text.hpp"
 #include "functions.hpp"
 
 namespace zonal {
@@ -33,10 +34,10 @@ struct Shell {
 
 namespace detail {
 
-/// The text with $N replaced by the number of bands, and further names by further numbers.
+/// The text with $N replaced by the number of bands, and further names by further numbers. What depends on dialect and
+/// options, types ($float), $precise and $GUARD, is left to shell_text.
 struct Substitution {
-  std::string_view name;
-  std::string value;
+  std::string name, value;
 };
 inline std::string substitute(std::string text, const std::vector<Substitution>& substitutions) {
   for (const Substitution& s : substitutions) {
@@ -87,17 +88,17 @@ std::string load_light() {
 template <int NE, bool is_reversed>
 std::string gather_text(int bands) {
   const std::string text = R"(// A virtual light: $FIELDS floats, in the order of HvlRecord::field.
-#ifndef ZONAL_HVL_$NE
-#define ZONAL_HVL_$NE
+#ifndef $GUARDHVL_$NE
+#define $GUARDHVL_$NE
 struct zonal_Hvl_$NE {
-  vec3 position;
-  vec3 normal;
-  vec3 tangent;
-  float radius;
-  vec3 emission[$SIZE];
+  $vec3 position;
+  $vec3 normal;
+  $vec3 tangent;
+  $float radius;
+  $vec3 emission[$SIZE];
 };
-zonal_Hvl_$NE zonal_load_hvl_$NE(uint i) {
-  uint at = i * $FIELDSu;
+zonal_Hvl_$NE zonal_load_hvl_$NE($uint i) {
+  $uint at = i * $FIELDSu;
   zonal_Hvl_$NE hvl;
   hvl.position = vec3(ZONAL_LIGHT(at), ZONAL_LIGHT(at + 1u), ZONAL_LIGHT(at + 2u));
   hvl.normal = vec3(ZONAL_LIGHT(at + 3u), ZONAL_LIGHT(at + 4u), ZONAL_LIGHT(at + 5u));
@@ -108,12 +109,12 @@ $EMISSION  return hvl;
 #endif
 // The outgoing radiance that all virtual lights cause; see gather (zonal/gather/hvl.hpp). `material` is F of m >= 0 at the
 // outgoing direction, which lies in the plane of normal and tangent.
-vec3 zonal_$NAME_$N(uint light_count, vec3 position, vec3 normal, vec3 tangent, in vec3 material[$MATERIAL]) {
-  ZONAL_PRECISE vec3 sum = vec3(0.0f);
-$LOOPS  return maximum(sum, vec3(0.0f));
+$vec3 zonal_$NAME_$N($uint light_count, $vec3 position, $vec3 normal, $vec3 tangent, in $vec3 material[$MATERIAL]) {
+  $precise $vec3 sum = vec3(0.0f);
+$LOOPS  return max(sum, vec3(0.0f));
 }
 )";
-  const std::string loop = R"(  for (uint i = 0u; i < light_count; ++i) {
+  const std::string loop = R"(  for ($uint i = 0u; i < light_count; ++i) {
     zonal_Hvl_$NE hvl = zonal_load_hvl_$NE(i);
     sum += zonal_$RADIANCE_$N$SUFFIX(hvl.position, hvl.normal, hvl.tangent, hvl.radius, hvl.emission,
                                      position, normal, tangent, material);
@@ -142,16 +143,16 @@ std::string sum_lights_text(int bands) {
   const std::string text =
       R"(// Coefficients and gradients at a vertex of all sphere lights, in colour channel 0, 1 or 2; see add_lights
 // (zonal/grid/add_lights.hpp). A light is 7 floats: center, radius, colour.
-void zonal_$NAME_$N(uint light_count, uint channel, vec3 vertex, ZONAL_PRECISE out float value[$COUNT],
-    ZONAL_PRECISE out vec3 gradient[$COUNT]) {
-  ZONAL_PRECISE float up[$UP];
-  ZONAL_PRECISE float down[$DOWN];
+void zonal_$NAME_$N($uint light_count, $uint channel, $vec3 vertex, $precise out $float value[$COUNT],
+    $precise out $vec3 gradient[$COUNT]) {
+  $precise $float up[$UP];
+  $precise $float down[$DOWN];
   zonal_clear_sums_$N(value, up, down);
 $LOOPS  zonal_finish_sums_$N(up, down, gradient);
 }
 )";
-  const std::string loop = R"(  for (uint i = 0u; i < light_count; ++i) {
-    uint at = i * 7u;
+  const std::string loop = R"(  for ($uint i = 0u; i < light_count; ++i) {
+    $uint at = i * 7u;
     zonal_add_sphere_$N$SUFFIX(vec3(ZONAL_LIGHT(at), ZONAL_LIGHT(at + 1u), ZONAL_LIGHT(at + 2u)), ZONAL_LIGHT(at + 3u),
         ZONAL_LIGHT(at + 4u + channel), vertex, value, up, down);
   }
@@ -174,20 +175,20 @@ std::vector<ShellNeed> sum_lights_needs(int bands) {
 template <Interpolation method>
 std::string interpolate_text(int bands) {
   const std::string text = R"(// Coefficients at a position in a grid; see interpolate (zonal/grid/interpolate.hpp).
-void zonal_interpolate_$NAME_$N(vec3 position, vec3 low, vec3 high, uvec3 vertices,
-    ZONAL_PRECISE out vec3 sh[$COUNT]) {
-  vec3 place = zonal_cell_position(position, low, high, vec3(vertices));
-  uvec3 cell = minimum(uvec3(place), vertices - 2u);
-  vec3 t = place - vec3(cell);
-  float weights[$WEIGHTS];
+void zonal_interpolate_$NAME_$N($vec3 position, $vec3 low, $vec3 high, $uvec3 vertices,
+    $precise out $vec3 sh[$COUNT]) {
+  $vec3 place = zonal_cell_position(position, low, high, vec3(vertices));
+  $uvec3 cell = min(uvec3(place), vertices - 2u);
+  $vec3 t = place - vec3(cell);
+  $float weights[$WEIGHTS];
   zonal_$NAME_weights(t.x, t.y, t.z, (high - low) / vec3(vertices - 1u), weights);
-  uint first = cell.x + vertices.x * (cell.y + vertices.y * cell.z);
-  for (int i = 0; i < $COUNT; ++i) {
-    ZONAL_PRECISE vec3 sum = vec3(0.0f);
-    for (uint corner = 0u; corner < 8u; ++corner) {
-      uint vertex = first + (corner & 1u) + vertices.x * ((corner >> 1u & 1u) + vertices.y * (corner >> 2u));
-      for (uint block = 0u; block < $BLOCKSu; ++block) {
-        uint at = 3u * ((vertex * 4u + block) * $COUNTu + uint(i));
+  $uint first = cell.x + vertices.x * (cell.y + vertices.y * cell.z);
+  for ($int i = 0; i < $COUNT; ++i) {
+    $precise $vec3 sum = vec3(0.0f);
+    for ($uint corner = 0u; corner < 8u; ++corner) {
+      $uint vertex = first + (corner & 1u) + vertices.x * ((corner >> 1u & 1u) + vertices.y * (corner >> 2u));
+      for ($uint block = 0u; block < $BLOCKSu; ++block) {
+        $uint at = 3u * ((vertex * 4u + block) * $COUNTu + uint(i));
         sum += weights[corner * $BLOCKSu + block] * vec3(ZONAL_GRID(at), ZONAL_GRID(at + 1u), ZONAL_GRID(at + 2u));
       }
     }
@@ -225,6 +226,32 @@ inline constexpr Shell shells[] = {
     {"interpolate_hermite", "The same, from values and gradients.", detail::interpolate_needs<Interpolation::hermite>,
      detail::interpolate_text<Interpolation::hermite>},
 };
+
+/// How the text calls the shell.
+inline std::string shell_name(const Shell& shell, int bands, const TextOptions& options) {
+  return options.prefix + std::string(shell.name) + "_" + std::to_string(bands);
+}
+
+/// A shell in a dialect of GLSL. An integer needs its precision as well: by default it has 16 bits in a fragment
+/// shader.
+inline std::string shell_text(const Shell& shell, int bands, const Dialect& dialect, const TextOptions& options = {}) {
+  std::vector<detail::Substitution> words;
+  for (const std::string type : {"float", "vec3", "uvec3", "uint", "int"}) {
+    words.push_back({"$" + type, std::string(dialect.precision) + type});
+  }
+  words.push_back({"$precise ", options.precise ? std::string(dialect.precise) : ""});
+  words.push_back({"$GUARD", upper_case(options.prefix)});
+  words.push_back({"zonal_", options.prefix});
+  return detail::substitute(shell.text(bands), words);
+}
+
+/// Its signature alone, without what ends it.
+inline std::string signature_text(const Shell& shell, int bands, const Dialect& dialect,
+                                  const TextOptions& options = {}) {
+  const std::string text = shell_text(shell, bands, dialect, options);
+  const std::size_t begin = text.rfind('\n', text.find(shell_name(shell, bands, options) + "(")) + 1;
+  return text.substr(begin, text.find(") {", begin) + 1 - begin);
+}
 
 /// The shell of this name, or null.
 constexpr const Shell* find_shell(std::string_view name) {

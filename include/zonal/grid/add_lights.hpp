@@ -11,6 +11,7 @@
 #include "../light/point.hpp"
 #include "../light/radial.hpp"
 #include "coefficient_grid.hpp"
+#include "gradient_limit.hpp"
 #include "light_sums.hpp"
 #include "vertex_packet.hpp"
 
@@ -19,12 +20,11 @@ inline namespace ZONAL_TARGET {
 
 namespace detail {
 
-inline constexpr int lights_at_once = 4;
-using LightLanes = Packet<float, lights_at_once * kNativeLanes>;
-
 // The light whose numbers are packets.
 template <class Light, class Lanes>
-struct WideLightOf;
+struct WideLightOf {
+  using Type = void;
+};
 template <template <class> class Light, class Lanes>
 struct WideLightOf<Light<float>, Lanes> {
   using Type = Light<Lanes>;
@@ -34,54 +34,86 @@ struct WideLightOf<Light<N, float>, Lanes> {
   using Type = Light<N, Lanes>;
 };
 
-// Four lights as one. A light is its numbers, one after the other; each has a block of lanes for each of the four.
-template <class Light>
-typename WideLightOf<Light, LightLanes>::Type side_by_side(const std::array<Light, lights_at_once>& lights) {
-  using Wide = typename WideLightOf<Light, LightLanes>::Type;
-  constexpr std::size_t size = sizeof(Light) / sizeof(float);
-  static_assert(std::is_trivially_copyable_v<Light> && std::is_trivially_copyable_v<Wide>);
-  static_assert(sizeof(Wide) == size * sizeof(LightLanes), "a light holds numbers of its scalar, and nothing else");
-  float numbers[lights_at_once][size];
-  std::memcpy(numbers, lights.data(), sizeof numbers);
-  LightLanes lanes[size];
-  for (std::size_t n = 0; n < size; ++n) {
-    float block[lights_at_once];
-    for (int i = 0; i < lights_at_once; ++i) block[i] = numbers[i][n];
-    lanes[n] = LightLanes::blocks<lights_at_once>(block);
+// Whether a light is floats, one after the other, and nothing else; and the wide one as many packets.
+template <class Light, class Lanes>
+constexpr bool is_numbers() {
+  using Wide = typename WideLightOf<Light, Lanes>::Type;
+  if constexpr (std::is_void_v<Wide>) {
+    return false;
+  } else {
+    return std::is_standard_layout_v<Light> && std::is_standard_layout_v<Wide> &&
+           std::is_default_constructible_v<Wide> && sizeof(Wide) / sizeof(Lanes) * sizeof(float) == sizeof(Light) &&
+           sizeof(Wide) % sizeof(Lanes) == 0;
   }
-  Wide wide;
-  std::memcpy(&wide, lanes, sizeof wide);
-  return wide;
 }
+
+// Lights as the sums take them: four at once, each with a block of lanes, where they are numbers, else one by one.
+template <class Light>
+struct LightGroup {
+  static constexpr bool is_wide = is_numbers<Light, Packet<float, 4 * kNativeLanes>>();
+  static constexpr int size = is_wide ? 4 : 1;
+  using Lanes = Packet<float, size * kNativeLanes>;
+
+  static auto of(const std::array<const Light*, std::size_t{size}>& lights) {
+    if constexpr (is_wide) {
+      constexpr std::size_t count = sizeof(Light) / sizeof(float);
+      constexpr auto held = static_cast<std::size_t>(size);
+      float numbers[held][count];
+      for (std::size_t i = 0; i < held; ++i)
+        std::memcpy(numbers[i], static_cast<const void*>(lights[i]), sizeof numbers[i]);
+      Lanes lanes[count];
+      for (std::size_t n = 0; n < count; ++n) {
+        float block[held];
+        for (std::size_t i = 0; i < held; ++i) block[i] = numbers[i][n];
+        lanes[n] = Lanes::template blocks<size>(block);
+      }
+      typename WideLightOf<Light, Lanes>::Type wide;
+      std::memcpy(static_cast<void*>(&wide), lanes, sizeof wide);
+      return wide;
+    } else {
+      return *lights[0];
+    }
+  }
+};
 
 }  // namespace detail
 
 /// Adds lights that are symmetric about the direction to them, modulated or not (light/radial.hpp): value and gradient
-/// at every vertex. for_each(count, body) calls body(0), ..., body(count - 1), in any order, on as many threads as it
-/// likes.
+/// at every vertex, the gradient as far as a cell can use it (gradient_limit.hpp). for_each(count, body) calls body(0),
+/// ..., body(count - 1), in any order, on as many threads as it likes.
 template <int N, class Light, class ForEach>
 void add_lights(CoefficientGrid<N>& grid, const std::vector<ColouredLight<Light>>& lights, ForEach&& for_each) {
-  using detail::lights_at_once, detail::LightLanes, detail::VertexLanes;
+  using detail::VertexLanes;
+  using Group = detail::LightGroup<Light>;
+  using Lanes = typename Group::Lanes;
+  constexpr auto at_once = static_cast<std::size_t>(Group::size);
   if (lights.empty()) return;
+  const float cell = (std::max)({grid.spacing().x, grid.spacing().y, grid.spacing().z});
+  std::vector<float> at_centre;
+  at_centre.reserve(lights.size());
+  for (const auto& light : lights) at_centre.push_back(gradient_limit(light.light, cell).at_centre);
+
   for_each(detail::vertex_packet_count(grid), [&](int packet) {
     const detail::VertexPacket<N> vertices(grid, static_cast<std::size_t>(packet));
-    LightLanes position[3];
-    for (int i = 0; i < 3; ++i) position[i] = vertices.position[i].template repeated<lights_at_once>();
+    Lanes position[3];
+    for (int i = 0; i < 3; ++i) position[i] = vertices.position[i].template repeated<Group::size>();
+    GradientLimit<Lanes> limit{Lanes(cell), Lanes(1 / cell), Lanes(0)};
 
-    LightSums<N, VertexLanes, LightLanes, detail::ModulationOf<Light, float>::exists> sums;
-    for (std::size_t first = 0; first < lights.size(); first += lights_at_once) {
-      std::array<Light, lights_at_once> group;
-      float colour[3][lights_at_once];
-      for (std::size_t i = 0; i < lights_at_once; ++i) {  // what is missing in the last group is black
+    LightSums<N, VertexLanes, Lanes, detail::ModulationOf<Light, Lanes>::exists> sums;
+    for (std::size_t first = 0; first < lights.size(); first += at_once) {
+      std::array<const Light*, at_once> group;
+      float colour[3][at_once], centre[at_once];
+      for (std::size_t i = 0; i < at_once; ++i) {  // what is missing in the last group is black
         const bool exists = first + i < lights.size();
-        const auto& light = lights[exists ? first + i : first];
-        group[i] = light.light;
-        for (int c = 0; c < 3; ++c) colour[c][i] = exists ? light.colour[c] : 0.0F;
+        const std::size_t place = exists ? first + i : first;
+        group[i] = &lights[place].light;
+        centre[i] = at_centre[place];
+        for (int c = 0; c < 3; ++c) colour[c][i] = exists ? lights[place].colour[c] : 0.0F;
       }
-      const LightLanes colours[3] = {LightLanes::blocks<lights_at_once>(colour[0]),
-                                     LightLanes::blocks<lights_at_once>(colour[1]),
-                                     LightLanes::blocks<lights_at_once>(colour[2])};
-      sums.add(detail::side_by_side(group), colours, position[0], position[1], position[2]);
+      const auto blocks = [](const float(&numbers)[at_once]) { return Lanes::template blocks<Group::size>(numbers); };
+      const Lanes colours[3] = {blocks(colour[0]), blocks(colour[1]), blocks(colour[2])};
+      limit.at_centre = blocks(centre);
+      sums.add(see_limited<N>(Group::of(group), position[0], position[1], position[2], limit), colours);
     }
     sums.finish([&](auto l, auto m, int c, const VertexLanes& value, const VertexLanes& x, const VertexLanes& y,
                     const VertexLanes& z) { vertices.add(grid, 3 * sh_index(l, m) + c, value, x, y, z); });
@@ -97,10 +129,13 @@ void add_lights(CoefficientGrid<N>& grid, const std::vector<ColouredLight<Direct
     const Sh<N, float> sh = evaluate<N>(light.direction);
     for (int i = 0; i < N * N; ++i) sum[i] += sh[i] * colour;
   }
-  for_each(static_cast<int>(grid.vertex_count()), [&](int vertex) {
-    float* value = grid.data() + static_cast<std::size_t>(vertex) * CoefficientGrid<N>::vertex_size;
-    for (int i = 0; i < N * N; ++i) {
-      for (int c = 0; c < 3; ++c) value[3 * i + c] += sum[i][c];
+  for_each(detail::vertex_packet_count(grid), [&](int packet) {
+    const detail::VertexPacket<N> vertices(grid, static_cast<std::size_t>(packet));
+    for (std::size_t vertex = vertices.first; vertex < vertices.first + vertices.count; ++vertex) {
+      float* value = grid.data() + vertex * CoefficientGrid<N>::vertex_size;
+      for (int i = 0; i < N * N; ++i) {
+        for (int c = 0; c < 3; ++c) value[3 * i + c] += sum[i][c];
+      }
     }
   });
 }

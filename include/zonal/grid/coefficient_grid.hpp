@@ -34,12 +34,33 @@ class CoefficientGrid {
   static constexpr int vertex_size = block_count * block_size;
 
   /// All coefficients 0. Throws std::invalid_argument unless the box is finite, low < high on every axis, and there are
-  /// at least 2 vertices on each, few enough to lie apart in float; without exceptions it ends the program (refuse.hpp).
+  /// at least 2 vertices on each, few enough to lie apart in float; without exceptions it ends the program
+  /// (refuse.hpp), so ask what_is_wrong first.
   CoefficientGrid(const glm::vec3& low, const glm::vec3& high, const glm::ivec3& resolution)
       : low_(low), high_(high), resolution_(resolution) {
-    for (int axis = 0; axis < 3; ++axis) check_axis(axis);
+    const std::string wrong = what_is_wrong(low, high, resolution);
+    if (!wrong.empty()) detail::refuse(wrong);
     spacing_ = (high - low) / glm::vec3(resolution - 1);
-    data_.resize(checked_size());
+    data_.resize(vertex_size * static_cast<std::size_t>(resolution.x) * static_cast<std::size_t>(resolution.y) *
+                 static_cast<std::size_t>(resolution.z));
+  }
+
+  /// Why there can be no such grid; empty if there can be one.
+  static std::string what_is_wrong(const glm::vec3& low, const glm::vec3& high, const glm::ivec3& resolution) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::string wrong = what_is_wrong("xyz"[axis], low[axis], high[axis], resolution[axis]);
+      if (!wrong.empty()) return wrong;
+    }
+    std::size_t size = vertex_size;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto count = static_cast<std::size_t>(resolution[axis]);
+      if (size > std::vector<float>().max_size() / count) {
+        return "a grid of " + std::to_string(resolution.x) + " x " + std::to_string(resolution.y) + " x " +
+               std::to_string(resolution.z) + " vertices is more than memory can hold";
+      }
+      size *= count;
+    }
+    return {};
   }
 
   const glm::vec3& low() const { return low_; }
@@ -80,38 +101,20 @@ class CoefficientGrid {
   std::size_t size() const { return data_.size(); }
 
  private:
-  // Throws for a box or a resolution that is none. `axis` is 0 to 2.
-  void check_axis(int axis) const {
-    const std::string name = std::string("the grid's ") + "xyz"[axis] + " axis ";
-    const float low = low_[axis], high = high_[axis];
-    if (resolution_[axis] < 2) {
-      detail::refuse(name + "has " + std::to_string(resolution_[axis]) + " vertices; it needs at least 2");
-    }
+  // The same of one axis.
+  static std::string what_is_wrong(char axis, float low, float high, int vertices) {
+    const std::string name = std::string("the grid's ") + axis + " axis ";
+    if (vertices < 2) return name + "has " + std::to_string(vertices) + " vertices; it needs at least 2";
     const std::string range = "from " + std::to_string(low) + " to " + std::to_string(high);
     if (!std::isfinite(low) || !std::isfinite(high) || !std::isfinite(high - low)) {
-      detail::refuse(name + "goes " + range + ", which is not finite");
+      return name + "goes " + range + ", which is not finite";
     }
-    if (!(low < high)) detail::refuse(name + "goes " + range + ", which leaves no space between");
-    const float step = (high - low) / static_cast<float>(resolution_[axis] - 1);
-    if (low + step == low || high - step == high || !std::isfinite(1 / step)) {
-      detail::refuse(name + "has " + std::to_string(resolution_[axis]) + " vertices " + range +
-                                  ", too close to tell apart in float");
+    if (!(low < high)) return name + "goes " + range + ", which leaves no space between";
+    const float step = (high - low) / static_cast<float>(vertices - 1);
+    if (!(low < low + step) || !(high - step < high) || !std::isfinite(1 / step)) {
+      return name + "has " + std::to_string(vertices) + " vertices " + range + ", too close to tell apart in float";
     }
-  }
-
-  // How many floats the vertices need. Throws where no memory could hold them.
-  std::size_t checked_size() const {
-    std::size_t size = vertex_size;
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto count = static_cast<std::size_t>(resolution_[axis]);
-      if (size > data_.max_size() / count) {
-        detail::refuse("a grid of " + std::to_string(resolution_.x) + " x " +
-                                    std::to_string(resolution_.y) + " x " + std::to_string(resolution_.z) +
-                                    " vertices is more than memory can hold");
-      }
-      size *= count;
-    }
-    return size;
+    return {};
   }
 
   std::size_t block_begin(const glm::ivec3& vertex, int number) const {

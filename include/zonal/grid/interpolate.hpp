@@ -12,6 +12,7 @@
 // number of cells that lie below it.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 #include <glm/vec3.hpp>
@@ -33,9 +34,10 @@ struct CellCoordinate {
 inline CellCoordinate locate(float x, float low, float high, int vertices) {
   const float count = static_cast<float>(vertices), last = count - 1.0F, rate = cell_rate(low, high, count);
   const float inside = cell_position(x, low, rate, count);  // NaN stays
-  const int cell =
-      static_cast<int>(minimum(maximum(0.0F, inside), last - 1.0F));  // NaN is 0: the order of operands matters
-  return {cell, inside - static_cast<float>(cell), x < low || high < x ? 0.0F : rate};
+  // NaN is 0: the order of operands matters. Beyond 2^24 vertices a float may count one too many.
+  const int cell = (std::min)(static_cast<int>(minimum(maximum(0.0F, inside), last - 1.0F)), vertices - 2);
+  const float t = minimum(inside - static_cast<float>(cell), 1.0F);
+  return {cell, t, x < low || high < x ? 0.0F : rate};
 }
 
 // A cell of the grid, and the position in it.

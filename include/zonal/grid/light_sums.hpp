@@ -40,15 +40,19 @@ class LightSums {
   /// Adds lights seen from (x, y, z).
   template <class Light>
   ZONAL_INLINE void add(const Light& light, const Wide (&colour)[3], const Wide& x, const Wide& y, const Wide& z) {
-    constexpr bool has_modulation = detail::ModulationOf<Light, Wide>::exists;
-    static_assert(has_modulation == is_modulated, "a modulated light needs is_modulated");
-    const Sight<Wide> sight = detail::sight(light, x, y, z);
-    RadialProfile<N, Wide> profile = light.template profile<N>(sight);
-    [[maybe_unused]] const auto before = profile.value;
-    [[maybe_unused]] Modulation<Wide> modulation;
-    if constexpr (has_modulation) {
-      modulation = light.modulation(sight);
-      detail::scale(profile, modulation.value);
+    static_assert(detail::ModulationOf<Light, Wide>::exists == is_modulated, "a modulated light needs is_modulated");
+    add(see<N>(light, x, y, z), colour);
+  }
+
+  /// Adds lights as they are seen.
+  ZONAL_INLINE void add(const SeenLight<N, Wide>& seen, const Wide (&colour)[3]) {
+    const Sight<Wide>& sight = seen.sight;
+    RadialProfile<N, Wide> profile = seen.profile;
+    if constexpr (is_modulated) {
+      unroll<0, N>([&](auto l) ZONAL_INLINE {
+        profile.value.values[l] = profile.value.values[l] * seen.modulation.value;
+        profile.slope.values[l] = profile.slope.values[l] * seen.modulation.value;
+      });
     }
     Sh<N + 1, Wide> basis;
     detail::evaluate_into(basis, sight.direction[0], sight.direction[1], sight.direction[2]);
@@ -67,7 +71,7 @@ class LightSums {
         set(down, -(Wide(l + 2) * (values[l + 1] * sight.inverse_distance)) - slopes[l + 1]);
       }
       if constexpr (is_modulated && exists(modulated, l)) {  // (w A_l Y)' = w (A_l Y)' + w' A_l Y
-        for (int k = 0; k < 3; ++k) set(modulated + k, before.values[l] * modulation.gradient[k]);
+        for (int k = 0; k < 3; ++k) set(modulated + k, seen.profile.value.values[l] * seen.modulation.gradient[k]);
       }
       for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
         for (int c = 0; c < 3; ++c) {

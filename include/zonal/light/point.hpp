@@ -2,13 +2,15 @@
 // resolves: use them with a convolution, or a window.
 #pragma once
 
+#include <limits>
+
 #include "radial.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
 
 /// The profile of a point of radiant intensity 1: irradiance 1/d^2 from one direction. At the light's own position it
-/// is that of a distance of 1e-15: finite in float.
+/// is that of the least distance of Sight, where the gradient too is finite.
 template <int N, class T>
 ZONAL_INLINE constexpr RadialProfile<N, T> point_profile(const Sight<T>& sight) {
   RadialProfile<N, T> profile{};
@@ -24,6 +26,7 @@ ZONAL_INLINE constexpr RadialProfile<N, T> point_profile(const Sight<T>& sight) 
 /// A point of intensity 1, the same in all directions.
 template <class T>
 struct PointLight {
+  static constexpr bool is_point = true;
   glm::vec<3, T> center;
 
   template <int N, class R>
@@ -35,9 +38,12 @@ template <class T>
 PointLight(glm::vec<3, T>) -> PointLight<T>;
 
 /// A point that shines into a cone about `axis` (unit, away from the light): intensity 1 up to the angle of
-/// cos_inner, 0 from that of cos_outer on, smoothstep of the cosine between. -1 <= cos_outer < cos_inner <= 1.
+/// cos_inner, 0 beyond that of cos_outer, smoothstep of the cosine between. -1 <= cos_outer <= cos_inner <= 1: where
+/// the two are equal the edge is hard, and the gradient on both sides of it that of a point light, or 0. Cosines nearer
+/// to each other than epsilon cannot be told apart either; what they leave of the smoothstep ends in a step.
 template <class T>
 struct SpotLight {
+  static constexpr bool is_point = true;
   glm::vec<3, T> center, axis;
   T cos_inner, cos_outer;
 
@@ -47,11 +53,13 @@ struct SpotLight {
   }
   template <class R>
   ZONAL_INLINE constexpr Modulation<R> modulation(const Sight<R>& sight) const {
+    constexpr auto epsilon = rounded<R>(static_cast<long double>(std::numeric_limits<lane_t<R>>::epsilon()));
     const R a[3] = {R(axis[0]), R(axis[1]), R(axis[2])};
     const R* w = sight.direction;
-    const R cosine = -detail::dot3(sight.direction, a);
-    const R inverse_width = R(1) / (R(cos_inner) - R(cos_outer));
-    const R t = clamp((cosine - R(cos_outer)) * inverse_width, R(0), R(1));
+    const R cosine = maximum(-detail::dot3(sight.direction, a), R(-1));  // rounded, it may leave a cone of all
+    const R inverse_width = R(1) / maximum(R(cos_inner) - R(cos_outer), R(epsilon));
+    const R between = clamp((cosine - R(cos_outer)) * inverse_width, R(0), R(1));
+    const R t = select(cosine < R(cos_inner), between, R(1));
     const R slope = R(6) * (t * (R(1) - t)) * (inverse_width * sight.inverse_distance);
     return {t * t * (R(3) - (t + t)),
             {slope * (a[0] + cosine * w[0]), slope * (a[1] + cosine * w[1]), slope * (a[2] + cosine * w[2])}};

@@ -24,6 +24,7 @@
 
 #include "../basis/sh.hpp"
 #include "../scalar/constexpr_math.hpp"
+#include "../scalar/scalar.hpp"
 #include "projection.hpp"
 
 namespace zonal {
@@ -130,13 +131,15 @@ class AnisotropicTable {
 
   Coefficients interpolate(Coefficients Row::*kind, const glm::vec3& outgoing) const {
     const double degree = double(kPi) / 180.0, x = double(outgoing.x), y = double(outgoing.y), z = double(outgoing.z);
-    const double angle = std::clamp(std::atan2(std::hypot(x, y), z) / degree, 0.0, double(angles - 1));
-    const double turn = std::atan2(y, x) / degree + azimuths;  // positive
+    // What is no number is 0: rows are looked up by these.
+    const double tilt = std::atan2(std::hypot(x, y), z) / degree, around = std::atan2(y, x) / degree + azimuths;
+    const double angle = tilt > 0.0 ? (std::min)(tilt, double(angles - 1)) : 0.0;
+    const double turn = around > 0.0 ? around : 0.0;
     const int low = (std::min)(int(angle), angles - 2), first = int(turn);
     const auto s = float(angle - low), t = float(turn - first);
     Coefficients sum{};
     const auto add = [&](int row, int azimuth, float weight) {
-      if (weight != 0.0F) sum += this->row(row, azimuth % azimuths).*kind * weight;
+      if (!detail::is_equal(weight, 0.0F)) sum += this->row(row, azimuth % azimuths).*kind * weight;
     };
     add(low, first, (1.0F - s) * (1.0F - t));
     add(low, first + 1, (1.0F - s) * t);

@@ -50,6 +50,13 @@
 #define ZONAL_TARGET_MATH
 #endif
 
+// -mlong-double-64: the constants are others.
+#if defined(__SIZEOF_LONG_DOUBLE__) && __SIZEOF_LONG_DOUBLE__ == 8
+#define ZONAL_TARGET_LONG _long64
+#else
+#define ZONAL_TARGET_LONG
+#endif
+
 // Kernels that are not constexpr in C++17 for what nvcc compiles; the others it takes by --expt-relaxed-constexpr.
 #if defined(__CUDACC__)
 #define ZONAL_DEVICE __host__ __device__
@@ -57,9 +64,10 @@
 #define ZONAL_DEVICE
 #endif
 
-#define ZONAL_TARGET_JOINED(a, b, c, d) a##b##c##d
-#define ZONAL_TARGET_JOIN(a, b, c, d) ZONAL_TARGET_JOINED(a, b, c, d)
+#define ZONAL_TARGET_JOINED(a, b, c, d, e) a##b##c##d##e
+#define ZONAL_TARGET_JOIN(a, b, c, d, e) ZONAL_TARGET_JOINED(a, b, c, d, e)
 
 /// The inline namespace that holds the whole library, such as avx2_fma.
-#define ZONAL_TARGET \
-  ZONAL_TARGET_JOIN(ZONAL_TARGET_VECTORS, ZONAL_TARGET_FUSED, ZONAL_TARGET_PACKETS, ZONAL_TARGET_MATH)
+#define ZONAL_TARGET                                                                                   \
+  ZONAL_TARGET_JOIN(ZONAL_TARGET_VECTORS, ZONAL_TARGET_FUSED, ZONAL_TARGET_PACKETS, ZONAL_TARGET_MATH, \
+                    ZONAL_TARGET_LONG)

@@ -1,0 +1,3 @@
+#include "scene.hpp"
+
+void build(Scene& scene) { build_here(scene); }

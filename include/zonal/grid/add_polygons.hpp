@@ -76,7 +76,7 @@ inline float least_of(const VertexLanes& x) {
 inline bool is_zero_everywhere(const VertexLanes& x) {
   float lanes[kNativeLanes];
   x.store(lanes);
-  return std::all_of(lanes, lanes + kNativeLanes, [](float lane) { return lane == 0; });
+  return std::all_of(lanes, lanes + kNativeLanes, [](float lane) { return is_equal(lane, 0.0F); });
 }
 
 // The sums over all edges for a packet of vertices, RGB. Two edges are integrated at once, which halves the traffic to

@@ -111,7 +111,7 @@ class CoefficientGrid {
     }
     if (!(low < high)) return name + "goes " + range + ", which leaves no space between";
     const float step = (high - low) / static_cast<float>(vertices - 1);
-    if (low + step == low || high - step == high || !std::isfinite(1 / step)) {
+    if (!(low < low + step) || !(high - step < high) || !std::isfinite(1 / step)) {
       return name + "has " + std::to_string(vertices) + " vertices " + range + ", too close to tell apart in float";
     }
     return {};

@@ -24,6 +24,7 @@
 
 #include "../basis/sh.hpp"
 #include "../scalar/constexpr_math.hpp"
+#include "../scalar/scalar.hpp"
 #include "projection.hpp"
 
 namespace zonal {
@@ -138,7 +139,7 @@ class AnisotropicTable {
     const auto s = float(angle - low), t = float(turn - first);
     Coefficients sum{};
     const auto add = [&](int row, int azimuth, float weight) {
-      if (weight != 0.0F) sum += this->row(row, azimuth % azimuths).*kind * weight;
+      if (!detail::is_equal(weight, 0.0F)) sum += this->row(row, azimuth % azimuths).*kind * weight;
     };
     add(low, first, (1.0F - s) * (1.0F - t));
     add(low, first + 1, (1.0F - s) * t);

@@ -224,7 +224,7 @@ ZONAL_INLINE inline T fresnel_reflectance(const T& cos_angle, float eta, float k
   const T squared_sine = (T(1) - c) * (T(1) + c);
   const T real = refracted_square(c, eta, k);
   T a, b2, a_minus_c;
-  if (k == 0.0F) {
+  if (detail::is_equal(k, 0.0F)) {
     a = sqrt(maximum(real, T(0)));
     b2 = maximum(-real, T(0));
     const T eta2_minus_1 = (T(eta) - T(1)) * (T(eta) + T(1));

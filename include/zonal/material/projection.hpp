@@ -137,7 +137,7 @@ template <int N, Parity parity, class F>
 void add_theta_interval(const F& brdf, const glm::dvec3& wo, double mirror, double end, const QuadratureRule& rule,
                         BrdfProjection<N>& result) {
   const double width = end - mirror;
-  if (width == 0.0) return;
+  if (detail::is_equal(width, 0.0)) return;
   for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
     const double s = 0.5 * (1.0 + rule.nodes[i]);
     const double theta = mirror + width * s * s;

@@ -21,6 +21,7 @@
 
 #include "../scalar/constexpr_math.hpp"
 #include "../scalar/quadrature.hpp"
+#include "../scalar/scalar.hpp"
 #include "rgl_tables.hpp"
 
 namespace zonal {
@@ -110,7 +111,7 @@ class RglNodes {
     if (half_) symmetrise_rgb();
     const std::size_t columns = a_.ndf.shape.columns;
     for (std::size_t i = columns; i < a_.ndf.shape.size() && ndf_has_one_row_; ++i) {
-      ndf_has_one_row_ = a_.ndf.values[i] == a_.ndf.values[i - columns];
+      ndf_has_one_row_ = detail::is_equal(a_.ndf.values[i], a_.ndf.values[i - columns]);
     }
     for (std::size_t row = 0; row < shape.rows; ++row) {
       integrate_linear(&density_[shape.index(row, 0)], shape.columns, along_row_);

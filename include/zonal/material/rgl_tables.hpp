@@ -14,6 +14,7 @@
 #include <glm/vec3.hpp>
 
 #include "../scalar/constexpr_math.hpp"
+#include "../scalar/scalar.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
@@ -43,7 +44,7 @@ struct SliceBlend {
   std::size_t count = 0;
 
   void add(std::size_t one, double its_weight) {
-    if (its_weight == 0.0) return;
+    if (detail::is_equal(its_weight, 0.0)) return;
     slice[count] = one;
     weight[count++] = its_weight;
   }

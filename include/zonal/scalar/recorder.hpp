@@ -170,7 +170,7 @@ class Recording {
 };
 
 namespace detail {
-inline bool is(const Recorder& a, float constant) { return a.is_constant() && a.constant() == constant; }
+inline bool is(const Recorder& a, float constant) { return a.is_constant() && is_equal(a.constant(), constant); }
 // The one line of every unary and of every binary operation: fold constants with `fold`, or write it down.
 template <class Fold>
 Recorder record(Operation operation, const Recorder& a, Fold fold) {
@@ -226,7 +226,7 @@ inline RecorderMask operator<=(const Recorder& a, const Recorder& b) {
 inline RecorderMask operator>(const Recorder& a, const Recorder& b) { return b < a; }
 inline RecorderMask operator>=(const Recorder& a, const Recorder& b) { return b <= a; }
 inline Recorder select(const RecorderMask& mask, const Recorder& a, const Recorder& b) {
-  if (mask.flag.is_constant()) return mask.flag.constant() != 0 ? a : b;
+  if (mask.flag.is_constant()) return mask.flag.constant() > 0 ? a : b;
   return Recording::write(Operation::select, mask.flag, a, b, 3);
 }
 

@@ -92,6 +92,14 @@ ZONAL_DEVICE IfBuiltin<T, T> sqrt(T a) {
   return std::sqrt(a);
 }
 
+namespace detail {
+/// a == b where just that is meant: users compile with -Wfloat-equal.
+template <class T>
+constexpr IfBuiltin<T, bool> is_equal(T a, T b) {
+  return a <= b && a >= b;
+}
+}  // namespace detail
+
 /// sum += a * b. Packets have one that folds (packet.hpp).
 template <class T>
 ZONAL_INLINE constexpr void add_product(T& sum, const T& a, const T& b) {

@@ -230,7 +230,7 @@ void for_orient_kernels(Visit&& visit) {
 }
 
 /// The bands of the gradient paper's Table 1.
-using GradientBands = Built<Bands<3, 4, 5, 6, 8, 10>, Bands<3>>;
+using GradientBands = Built<Bands<3, 4, 5, 6, 8, 10>, Bands<5>>;
 
 template <class Visit>
 void for_gradient_kernels(Visit&& visit) {

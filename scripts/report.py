@@ -39,7 +39,7 @@ def evaluation(folder):
         for scalar in ("float", "double", "packet"):
             for bands in (5, 10):
                 row = one(rows, quantity=quantity, form=form, scalar=scalar, bands=bands)
-                line.append(f"{row['ns']:.2f} ns, {row['error']:.0e}")
+                line.append(f"{row['ns']:.2f} ns, {row['error']:.0e}" if row else "-")  # quick data has few bands
         lines.append(line)
     titles = ["greatest error, time"] + [f"{scalar}, {bands}" for scalar in ("float", "double", "packet")
                                          for bands in (5, 10)]

@@ -64,7 +64,7 @@ class Furnace {
 
  private:
   using FurnaceBands =
-      zonal_bench::Built<zonal_bench::Bands<1, 2, 3, 4, 5, 7, 9, 11, 15, 21>, zonal_bench::Bands<2, 5>>;
+      zonal_bench::Built<zonal_bench::Bands<1, 2, 3, 4, 5, 7, 9, 11, 15, 21>, zonal_bench::Bands<1, 5>>;
 
   std::vector<zonal::VirtualLight> lights_;
   zonal::LightCache cache_;

@@ -129,87 +129,32 @@ TEST_CASE("A grid filled on the driver is that of C++") {
   }
 }
 
-TEST_CASE("A grid filled on the driver is that of add_lights, to rounding") {
+// The whole gradients: the shader does not limit them as add_lights does (grid/gradient_limit.hpp).
+TEST_CASE("A grid filled on the driver is that of the lights one by one, to rounding") {
   Driver* driver = driver_or_skip();
   if (driver == nullptr) return;
   constexpr int N = 4;
   const GridScene scene(10, {3, 4, 2});
   zonal::CoefficientGrid<N> grid(scene.low, scene.high, scene.resolution);
-  std::vector<zonal::ColouredLight<zonal::SphereLight<float>>> lights;
-  for (std::size_t i = 0; i < scene.light_count; ++i) {
-    const float* f = &scene.lights[i * GridScene::light_size];
-    lights.push_back({{{f[0], f[1], f[2]}, f[3]}, {f[4], f[5], f[6]}});
+  for (std::size_t vertex = 0; vertex < scene.vertex_count(); ++vertex) {
+    zonal::ShGradient<N, glm::vec3> sum{};
+    for (std::size_t i = 0; i < scene.light_count; ++i) {
+      const float* f = &scene.lights[i * GridScene::light_size];
+      const auto one =
+          zonal::project_with_gradient<N>(zonal::SphereLight<float>{{f[0], f[1], f[2]}, f[3]}, scene.position(vertex));
+      for (int k = 0; k < N * N; ++k) {
+        const glm::vec3 colour(f[4], f[5], f[6]);
+        sum.value[k] += one.value[k] * colour;
+        for (int axis = 0; axis < 3; ++axis) sum.gradient[axis][k] += one.gradient[axis][k] * colour;
+      }
+    }
+    const auto number = static_cast<int>(vertex);
+    const glm::ivec3 size = scene.resolution;
+    grid.set({number % size.x, number / size.x % size.y, number / size.x / size.y}, sum);
   }
-  zonal::add_lights(grid, lights, [](int count, const auto& body) {
-    for (int i = 0; i < count; ++i) body(i);
-  });
   const std::vector<float> given = run_grid(*driver, scene, N, grid_example(N, "sum_lights_reversed")).values;
   const std::vector<float> expected(grid.data(), grid.data() + grid.size());
   require_equal(given, expected, false, [] { return N; });
-}
-
-TEST_CASE("What interpolates a grid and what reconstructs colours fit together, as in C++ to rounding") {
-  Driver* driver = driver_or_skip();
-  if (driver == nullptr) return;
-  constexpr int N = 3;
-  const GridScene scene(10, {3, 4, 2});
-  zonal::CoefficientGrid<N> grid(scene.low, scene.high, scene.resolution);
-  SceneRandom random(13);
-  for (std::size_t i = 0; i < grid.size(); ++i) grid.data()[i] = random.uniform(-1, 1);
-  // Positions within the grid and some outside, and normals.
-  constexpr std::size_t count = 64;
-  std::vector<float> places;
-  for (std::size_t i = 0; i < count; ++i) {
-    SceneRandom::append(places, random.vector(-1.2F, 1.2F));
-    SceneRandom::append(places, random.direction());
-  }
-  const auto check = [&](const std::string& method, auto interpolation) {
-    zonal_glsl::Request request;
-    request.functions = {"interpolate_" + method, "reconstruct_lambert_colour", "reconstruct_colour@2"};
-    request.bands = N;
-    const std::string source =
-        "#version 450\nlayout(local_size_x = 64) in;\n"
-        "layout(std430, binding = 0) readonly buffer Grid { float grid[]; };\n"
-        "layout(std430, binding = 1) readonly buffer Places { float places[]; };\n"
-        "layout(std430, binding = 2) writeonly buffer Results { float results[]; };\n"
-        "#define ZONAL_GRID(i) grid[i]\n" +
-        zonal_glsl::shader_file(request, *zonal::glsl::find_dialect("glsl450")) +
-        "void main() {\n"
-        "  uint i = 6u * gl_GlobalInvocationID.x;\n"
-        "  vec3 position = vec3(places[i], places[i + 1u], places[i + 2u]);\n"
-        "  vec3 normal = vec3(places[i + 3u], places[i + 4u], places[i + 5u]);\n"
-        "  vec3 sh[9];\n"
-        "  zonal_interpolate_" +
-        method +
-        "_3(position, vec3(-1.0), vec3(1.0), uvec3(3u, 4u, 2u), sh);\n"
-        "  vec3 reflected = zonal_reconstruct_lambert_colour_3(sh, normal);\n"
-        "  vec3 smooth_ = zonal_reconstruct_colour_2(vec3[4](sh[0], sh[1], sh[2], sh[3]), normal);\n"
-        "  for (int c = 0; c < 3; ++c) {\n"
-        "    results[i + uint(c)] = reflected[c];\n"
-        "    results[i + 3u + uint(c)] = smooth_[c];\n"
-        "  }\n"
-        "}\n";
-    const unsigned program = driver->compile(source);
-    const unsigned in = driver->make_buffer(std::vector<float>(grid.data(), grid.data() + grid.size()));
-    const unsigned where = driver->make_buffer(places);
-    const unsigned out = driver->make_buffer(std::vector<float>(6 * count, std::numeric_limits<float>::quiet_NaN()));
-    driver->run(program, {in, where, out}, 1);
-    std::vector<float> expected;
-    for (std::size_t i = 0; i < count; ++i) {
-      const float* p = &places[6 * i];
-      const auto sh = zonal::interpolate<decltype(interpolation)::value>(grid, glm::vec3(p[0], p[1], p[2]));
-      const glm::vec3 normal(p[3], p[4], p[5]);
-      zonal::Sh<2, glm::vec3> smooth;
-      for (int k = 0; k < 4; ++k) smooth[k] = sh[k];
-      SceneRandom::append(expected, zonal::reconstruct_convolved(sh, zonal::LambertLobe{}, normal));
-      SceneRandom::append(expected, zonal::reconstruct(smooth, normal));
-    }
-    require_equal(driver->read_buffer(out, 6 * count), expected, false, [&] { return method; });
-    for (const unsigned buffer : {in, where, out}) driver->delete_buffer(buffer);
-    driver->delete_program(program);
-  };
-  check("trilinear", std::integral_constant<zonal::Interpolation, zonal::Interpolation::trilinear>{});
-  check("hermite", std::integral_constant<zonal::Interpolation, zonal::Interpolation::hermite>{});
 }
 
 TEST_CASE("A gather of 10 bands compiles in less than 10 s") {

@@ -22,8 +22,9 @@
 //
 // Rounding, with u = 6e-8 in float and 1e-16 in double: 8 u times the sum over edges of arc (1 + r / h), where r is the
 // distance of the edge's nearer end and h that of its line; of a gradient twice that over the distance to the nearest
-// edge. (At 5 bands; at 9 three times that.) So a light of angular size s is exact to 2e-6 / s in float, a slender one
-// less, and more than 1e-6 r above the plane. Use double there, or TriangleSphereLight (triangle.hpp).
+// edge (5 bands; at 9 three times that; away from edges a tenth). So in float a light of angular size s is right to
+// 3e-6 / s, a slender one less, and nearer than 1e-6 r to its plane the side is uncertain. Use double there, or
+// TriangleSphereLight (triangle.hpp).
 //
 // [1] Wang and Ramamoorthi, Analytic spherical harmonic coefficients for polygonal area lights, SIGGRAPH 2018.
 // [2] Wu et al., Analytic spherical harmonic gradients for real-time rendering with many polygonal area lights,
@@ -131,10 +132,11 @@ ZONAL_INLINE constexpr void cross_of_ends(const SeenPoint<T>& p, const T (&edge)
 }
 
 // The great-circle arc of an edge about its middle: u(s) = middle cos s + along sin s, |s| <= half; `normal` is on the
-// left as seen from the receiver. All three are unit vectors, zero where the edge points at the receiver.
+// left as seen from the receiver.
 template <class T>
 struct Arc {
   T normal[3], middle[3], along[3], cos_half, sin_half;
+  mask_t<T> is_point;  // no arc: the edge points at the receiver, or ends there, up to rounding
 
   /// From p to q = p + edge.
   ZONAL_INLINE static constexpr Arc of(const SeenPoint<T>& p, const T (&edge)[3], const SeenPoint<T>& q) {
@@ -151,12 +153,17 @@ struct Arc {
     const T square = dot3(longer, longer), inverse = inverse_length(longer);
     for (int i = 0; i < 3; ++i) longer[i] = longer[i] * inverse;
     cross3(arc.normal, longer, other);
+    const T other_square = dot3(other, other), other_inverse = inverse_length(other);
+    for (int i = 0; i < 3; ++i) other[i] = other[i] * other_inverse;
     for (int i = 0; i < 3; ++i) {
       arc.middle[i] = select(is_wide, -other[i], longer[i]);
       arc.along[i] = select(is_wide, longer[i], other[i]);
     }
     const T long_half = minimum(T(0.5L) * square * inverse, T(1));
     const T short_half = minimum(dot3(c, c) * inverse_sine * inverse, T(1));
+    // Where c is nothing but rounding, the normal may not even be across.
+    arc.is_point = select(dot3(c, c) < T(least_square_v<T> / epsilon_v<T>), T(0), other_square) < T(0.25L);
+    for (int i = 0; i < 3; ++i) arc.middle[i] = select(arc.is_point, T(i == 2 ? 1 : 0), arc.middle[i]);
     arc.cos_half = select(is_wide, short_half, long_half);
     arc.sin_half = select(is_wide, long_half, short_half);
     return arc;
@@ -176,7 +183,7 @@ template <int N, class T>
 ZONAL_INLINE constexpr void integrate_edge(const SeenPoint<T>& p, const T (&edge)[3], const SeenPoint<T>& q,
                                            const QuadratureRule& rule, EdgeIntegrals<N, T>& result) {
   const Arc<T> arc = Arc<T>::of(p, edge, q);
-  const T half = angle_from(arc.cos_half, arc.sin_half);
+  const T half = select(arc.is_point, T(0), angle_from(arc.cos_half, arc.sin_half));
   for (int i = 0; i < 3; ++i) result.normal[i] = arc.normal[i];
 
   // 1 / rho = level cos s + tilt sin s: what it is at both ends.

@@ -174,7 +174,7 @@ void check_placements(int count, unsigned seed) {
 }  // namespace
 
 TEST_CASE("grid beside a light: Hermite's E/pi stays between -0.1 and 1.2 of the greatest there is") {
-  check_placements(4000, 81);
+  check_placements(1500, 81);
 }
 TEST_CASE("grid beside a light: the same for 100,000 lights", "[.]") { check_placements(100000, 82); }
 
@@ -228,7 +228,7 @@ template <class Move>
 float greatest_jump(const Move& light_at) {
   Grid before({0, 0, 0}, {2, 2, 2}, {3, 3, 3}), now = before;  // cells of 1
   float jump = 0, unit = 0;
-  for (int i = 0; i <= 6000; ++i) {
+  for (int i = 0; i <= 3000; ++i) {
     light_up(now, light_at(static_cast<float>(i) * 5e-4F - 0.5F));
     if (i > 0) jump = std::max(jump, greatest_difference(now, before));
     for (std::size_t k = 0; k < now.size(); ++k) unit = std::max(unit, std::abs(now.data()[k]));

@@ -26,7 +26,7 @@ bool same_file(const fs::path& a, const fs::path& b) {
   std::error_code error;
   if (fs::equivalent(a, b, error)) return true;
   const auto place = [&](const fs::path& path) {
-    return fs::weakly_canonical(fs::absolute(zonal::behind_links(path)));
+    return fs::weakly_canonical(fs::absolute(zonal::behind_links(path)), error);
   };
   return place(a) == place(b);
 }
@@ -35,8 +35,8 @@ bool same_file(const fs::path& a, const fs::path& b) {
 
 void check_outputs(const std::vector<fs::path>& outputs, const std::vector<fs::path>& inputs) {
   report_as_input([&] {
+    for (const fs::path& path : outputs) zonal::OutputFile(path).close();  // and given up
     for (const fs::path& path : outputs) {
-      zonal::OutputFile(path).close();  // and given up
       const auto same = [&](const fs::path& other) { return same_file(other, path); };
       if (std::count_if(outputs.begin(), outputs.end(), same) > 1) {
         throw InputError(path.string() + ": two outputs cannot be one file");

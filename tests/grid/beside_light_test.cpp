@@ -1,5 +1,6 @@
 // A grid beside lights, at their surface and around their centre: interpolation stays within what the light can be.
 #include <zonal/grid/add_lights.hpp>
+#include <zonal/grid/add_polygons.hpp>
 #include <zonal/grid/interpolate.hpp>
 #include <zonal/light/sphere.hpp>
 #include <zonal/light/triangle.hpp>
@@ -177,6 +178,34 @@ TEST_CASE("grid beside a light: Hermite's E/pi stays between -0.1 and 1.2 of the
   check_placements(1500, 81);
 }
 TEST_CASE("grid beside a light: the same for 100,000 lights", "[.]") { check_placements(100000, 82); }
+
+TEST_CASE("grid beside a polygon: Hermite's E/pi stays between -0.1 and 1.2, in its midst, at its edges and corners") {
+  Random random(86);
+  const Samples samples(random);
+  Grid grid(glm::vec3(-1), glm::vec3(1), glm::ivec3(8));
+  Range range;
+  for (int i = 0; i < 600; ++i) {
+    const float half = grid.spacing().x * random.logarithmic(0.01F, 4), gap = half * random.logarithmic(1e-3F, 0.1F);
+    const glm::vec3 normal = random.direction(), along = glm::normalize(glm::cross(normal, random.direction()));
+    const glm::vec3 u = half * along, v = glm::cross(normal, u);
+    // The point of the square that is nearest to the vertex: on an edge, or at a corner, as often as within.
+    const auto coordinate = [&] { return random.below(2) == 0 ? 1.0F : random.uniform(-1, 1); };
+    const glm::ivec3 vertex(1 + random.below(6), 1 + random.below(6), 1 + random.below(6));
+    const glm::vec3 centre = grid.position(vertex) + gap * normal - coordinate() * u - coordinate() * v;
+    const zonal::PolygonLight<4, float> square{{centre - u - v, centre + u - v, centre + u + v, centre - u + v}};
+    std::fill_n(grid.data(), grid.size(), 0.0F);
+    zonal::add_lights(grid, std::vector<zonal::ColouredLight<zonal::PolygonLight<4, float>>>{{square, glm::vec3(1)}},
+                      1e-4, serially);
+    for (const glm::vec3& offset : samples.offsets) {
+      const glm::vec3 p = grid.position(vertex) + offset * grid.spacing();
+      const auto sh = zonal::interpolate<Interpolation::hermite>(grid, p);
+      for (const auto& row : samples.rows) range.add(irradiance(sh, row), {vertex, {centre, half}}, p);
+    }
+  }
+  INFO(range.text());
+  CHECK(range.least.value >= -0.1F);
+  CHECK(range.greatest.value <= 1.2F);
+}
 
 TEST_CASE("grid beside a light: at gaps above two cells half the cell is a twelfth of the error") {
   // The mean error in cells that are all that far from the surface. (The greatest, next to the light, falls by 8 to 12,

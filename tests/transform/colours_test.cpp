@@ -65,12 +65,15 @@ void check_channels() {
   };
   const auto d = random_direction(random);
   const auto both = [&](auto f) { check(f(sh), f(channel_sh[0]), f(channel_sh[1])); };
+  const auto hundredth = [](auto sum) {
+    return decltype(sum)(sum * 0.01F);
+  };  // no expression that outlives its factors
   both([&](const auto& s) { return zonal::reconstruct(s, d); });
   both([&](const auto& s) { return zonal::reconstruct_convolved(s, kernel, d); });
   both([&](const auto& s) { return zonal::reconstruct_convolved(s, zonal::LambertLobe{}, d); });
   both([&](const auto& s) { return zonal::reconstruct(zonal::convolve(s, kernel), d); });
-  both([&](const auto& s) { return zonal::dot(s, weights) * 0.01F; });
-  both([&](const auto& s) { return zonal::dot(weights, s) * 0.01F; });
+  both([&](const auto& s) { return hundredth(zonal::dot(s, weights)); });
+  both([&](const auto& s) { return hundredth(zonal::dot(weights, s)); });
   both([&](const auto& s) { return (zonal::apply_window(s, zonal::Window::sinc) * 2.0F)[N * N - 1]; });
   check(zonal::reconstruct_zonal(zh, 0.3F), zonal::reconstruct_zonal(channel_zh[0], 0.3F),
         zonal::reconstruct_zonal(channel_zh[1], 0.3F));

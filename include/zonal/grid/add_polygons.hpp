@@ -110,7 +110,7 @@ class PolygonLightSums {
 
   // `jump` is the radiance to the left of each edge less that to the right, RGB.
   void add(const LightEdge* const (&edges)[edges_at_once], const Edges (&jump)[3], float allowance,
-           const Edges (&receiver)[3]) {
+           const Edges (&receiver)[3], float most_inverse_distance) {
     Edges p[3], q[3], edge[3];
     for (int i = 0; i < 3; ++i) {
       const float start[edges_at_once] = {edges[0]->from[i], edges[1]->from[i]};
@@ -127,7 +127,7 @@ class PolygonLightSums {
     const int nodes = edge_nodes(N, static_cast<double>(reach), static_cast<double>(allowance));
 
     EdgeIntegrals<N, Edges> integrals;
-    integrate_edge<N>(from, edge, to, edge_rule(nodes), integrals);
+    integrate_edge<N>(from, edge, to, edge_rule(nodes), Edges(most_inverse_distance), integrals);
     for (int c = 0; c < 3; ++c) {
       add_edge<N>(integrals, jump[c], sums_[c]);
     }
@@ -145,7 +145,8 @@ class PolygonLightSums {
 
 /// Adds polygon lights of RGB radiance, not negative, to the grid: value and gradient at every vertex. Greatest error,
 /// next to rounding, with e = `tolerance` times the sum of all lights' coefficients of degree 0 there, in each channel:
-/// of a coefficient e, of the gradient 4 e over the distance to the nearest edge. for_each as in add_lights.hpp.
+/// of a coefficient e, of the gradient 4 e over the distance to the nearest edge. No point of an edge counts in the
+/// gradient as nearer than a cell's longest side (gradient_limit.hpp says why). for_each as in add_lights.hpp.
 template <int N, int V, class ForEach>
 void add_lights(CoefficientGrid<N>& grid, const std::vector<ColouredLight<PolygonLight<V, float>>>& lights,
                 double tolerance, ForEach&& for_each) {
@@ -153,6 +154,7 @@ void add_lights(CoefficientGrid<N>& grid, const std::vector<ColouredLight<Polygo
   using Sums = detail::PolygonLightSums<N>;
   using Edges = typename Sums::Edges;
   const detail::LightEdges light_edges = detail::edges_of(lights);
+  const float cell = (std::max)({grid.spacing().x, grid.spacing().y, grid.spacing().z});
   for_each(detail::vertex_packet_count(grid), [&](int packet) {
     const detail::VertexPacket<N> vertices(grid, static_cast<std::size_t>(packet));
     Sums sums;
@@ -175,7 +177,7 @@ void add_lights(CoefficientGrid<N>& grid, const std::vector<ColouredLight<Polygo
       const Edges jump[3] = {Edges::template side_by_side<Sums::edges_at_once>(jumps[0]),
                              Edges::template side_by_side<Sums::edges_at_once>(jumps[1]),
                              Edges::template side_by_side<Sums::edges_at_once>(jumps[2])};
-      sums.add(pending, jump, allowance, receiver);
+      sums.add(pending, jump, allowance, receiver, 1 / cell);
       count = 0;
     };
     for (const detail::LightEdge& edge : light_edges.edges) {
@@ -199,7 +201,9 @@ void add_lights(CoefficientGrid<N>& grid, const std::vector<ColouredLight<Polygo
       Sh<N, VertexLanes> value;
       finish(sums[c], value);
       const auto& slope = sums[c].slope;
-      for (int i = 0; i < N * N; ++i) vertices.add(grid, 3 * i + c, value[i], slope[0][i], slope[1][i], slope[2][i]);
+      for (int i = 0; i < N * N; ++i) {
+        vertices.add(grid, 3 * i + c, value[i], slope[0][i], slope[1][i], slope[2][i]);
+      }
     }
   });
 }

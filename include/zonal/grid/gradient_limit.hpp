@@ -30,7 +30,8 @@
 //   Hermite -0.042 to 1.056     Taylor -0.28 to 1.24     trilinear -0.035 to 1.049
 //
 // where trilinear's excess is that of 3 bands. Taylor expands each vertex over the whole cell, hence its wider range.
-// Not limited: polygon lights (add_polygons.hpp), and the loops over lights of the generated shaders.
+// Polygon lights have their own limit (add_polygons.hpp): a gradient is an integral over edges of 1/rho, the distance of
+// each point, which counts for no more than 1/h. Not limited: the loops over lights of the generated shaders.
 #pragma once
 
 #include "../light/radial.hpp"

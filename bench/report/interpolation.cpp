@@ -43,39 +43,16 @@ std::vector<Light> lights_about_the_box() {
   return lights;
 }
 
-CoefficientGrid<N> empty_grid(int resolution) { return {glm::vec3(-1), glm::vec3(1), glm::ivec3(resolution)}; }
-
-// What trilinear interpolation needs, without gradients. The library has no grid of values alone, for it would serve
-// trilinear interpolation only; this is what one would cost.
-void add_values(CoefficientGrid<N>& grid, const std::vector<Light>& lights) {
-  using Lanes = zonal::detail::VertexLanes;
-  for (int packet = 0; packet < zonal::detail::vertex_packet_count(grid); ++packet) {
-    const zonal::detail::VertexPacket<N> vertices(grid, static_cast<std::size_t>(packet));
-    Lanes sums[N * N][3];
-    for (auto& rgb : sums) {
-      for (Lanes& sum : rgb) sum = Lanes(0);
-    }
-    for (const Light& light : lights) {
-      const Lanes colour[3] = {Lanes(light.colour.x), Lanes(light.colour.y), Lanes(light.colour.z)};
-      zonal::project<N>(light.light, vertices.position[0], vertices.position[1], vertices.position[2],
-                        [&](auto l, auto m, const Lanes& value) ZONAL_INLINE {
-                          auto& rgb = sums[zonal::sh_index(l, m)];
-                          for (int c = 0; c < 3; ++c) zonal::add_product(rgb[c], colour[c], value);
-                        });
-    }
-    for (int i = 0; i < N * N; ++i) {
-      for (int c = 0; c < 3; ++c) vertices.add(grid, 3 * i + c, sums[i][c], Lanes(0), Lanes(0), Lanes(0));
-    }
-  }
-}
+// What the interpolation reads, and no more.
+template <Interpolation method>
+using Grid = CoefficientGrid<N, zonal::blocks_read(method) == 1 ? zonal::GridContent::values
+                                                                : zonal::GridContent::values_and_gradients>;
 
 template <Interpolation method>
-void fill(CoefficientGrid<N>& grid, const std::vector<Light>& lights) {
-  if constexpr (method == Interpolation::trilinear) {
-    add_values(grid, lights);
-  } else {
-    zonal::add_lights(grid, lights, one_by_one);
-  }
+Grid<method> grid_of(int resolution, const std::vector<Light>& lights) {
+  Grid<method> grid(glm::vec3(-1), glm::vec3(1), glm::ivec3(resolution));
+  zonal::add_lights(grid, lights, one_by_one);
+  return grid;
 }
 
 // What all lights together are at a place, RGB.
@@ -131,24 +108,20 @@ struct Line {
 
 template <Interpolation method>
 Line line(const char* name, int resolution, const std::vector<Light>& lights, const Truth& truth) {
-  const auto grid = std::make_shared<CoefficientGrid<N>>(empty_grid(resolution));
-  fill<method>(*grid, lights);
+  const auto grid = std::make_shared<Grid<method>>(grid_of<method>(resolution, lights));
   MeanError value, gradient;
   for (std::size_t i = 0; i < truth.places.size(); ++i) {
     const auto got = zonal::interpolate_with_gradient<method>(*grid, truth.places[i]);
     value.add(got.value, truth.exact[i].value);
     for (int axis = 0; axis < 3; ++axis) gradient.add(got.gradient[axis], truth.exact[i].gradient[axis]);
   }
-  // Of what it reads: the grid's class keeps all four blocks.
-  const double bytes = double(sizeof(float)) * CoefficientGrid<N>::block_size * zonal::blocks_read(method);
   return {name,
           resolution,
-          double(grid->vertex_count()) * bytes / 1024,
+          double(grid->size()) * sizeof(float) / 1024,
           value.relative(),
           gradient.relative(),
           [resolution, &lights] {
-            CoefficientGrid<N> fresh = empty_grid(resolution);
-            fill<method>(fresh, lights);
+            Grid<method> fresh = grid_of<method>(resolution, lights);
             benchmark::DoNotOptimize(fresh.data());
           },
           [grid, &truth] {

@@ -37,7 +37,9 @@ std::unique_ptr<LightGrid> load_light_grid(const std::filesystem::path& path, co
     }
     std::unique_ptr<LightGrid> grid;
     AllBands::dispatch(bands, [&](auto n) {
-      if constexpr (is_built<n, Sphere>) grid = std::make_unique<LightGridOf<n>>(zonal::load_grid<n>(path));
+      if constexpr (is_built<n, Sphere>) {
+        grid = std::make_unique<LightGridOf<n, GridContent::values_and_gradients>>(zonal::load_grid<n>(path));
+      }
     });
     return built(std::move(grid));
   } catch (const zonal::GridFileError& error) {

@@ -38,8 +38,7 @@ class LightGrid : public Interface {
   virtual void save(const std::filesystem::path& path) const = 0;
 };
 
-/// Values alone, for trilinear interpolation, or gradients too.
-enum class GridContent { values, values_and_gradients };
+using zonal::GridContent;
 
 class Lighting : public Interface {
  public:

@@ -1,4 +1,5 @@
 #include "lighting_bands.hpp"
 
-template class example::grid_render::LightGridOf<3>;
+template class example::grid_render::LightGridOf<3, zonal::GridContent::values>;
+template class example::grid_render::LightGridOf<3, zonal::GridContent::values_and_gradients>;
 template class example::grid_render::LightingOf<3, example::grid_render::Sphere>;

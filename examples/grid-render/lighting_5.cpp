@@ -1,4 +1,5 @@
 #include "lighting_bands.hpp"
 
-template class example::grid_render::LightGridOf<5>;
+template class example::grid_render::LightGridOf<5, zonal::GridContent::values>;
+template class example::grid_render::LightGridOf<5, zonal::GridContent::values_and_gradients>;
 template class example::grid_render::LightingOf<5, example::grid_render::Sphere>;

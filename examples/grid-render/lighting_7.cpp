@@ -1,4 +1,5 @@
 #include "lighting_bands.hpp"
 
-template class example::grid_render::LightGridOf<7>;
+template class example::grid_render::LightGridOf<7, zonal::GridContent::values>;
+template class example::grid_render::LightGridOf<7, zonal::GridContent::values_and_gradients>;
 template class example::grid_render::LightingOf<7, example::grid_render::Sphere>;

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <iterator>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -76,12 +77,12 @@ struct Projection<N, zonal::PolygonLight<V, float>> {
   }
 };
 
-template <int N, class Light>
-void add_to_grid(zonal::CoefficientGrid<N>& grid, const Lights<Light>& lights) {
+template <class Grid, class Light>
+void add_to_grid(Grid& grid, const Lights<Light>& lights) {
   zonal::add_lights(grid, lights, [](int count, const auto& body) { for_each_in_parallel(count, body); });
 }
-template <int N, int V>
-void add_to_grid(zonal::CoefficientGrid<N>& grid, const Lights<zonal::PolygonLight<V, float>>& lights) {
+template <class Grid, int V>
+void add_to_grid(Grid& grid, const Lights<zonal::PolygonLight<V, float>>& lights) {
   zonal::add_lights(grid, lights, edge_tolerance,
                     [](int count, const auto& body) { for_each_in_parallel(count, body); });
 }
@@ -116,39 +117,43 @@ class ExactField final : public LightField {
   Projection<N, Light> projection_;
 };
 
-template <int N, zonal::Interpolation method>
+template <zonal::Interpolation method, class Grid>
 class InterpolatedField final : public LightField {
  public:
-  explicit InterpolatedField(const zonal::CoefficientGrid<N>& grid) : grid_(grid) {}
+  explicit InterpolatedField(const Grid& grid) : grid_(grid) {}
 
   glm::vec3 reflected(const Hit& hit, const glm::vec3& outgoing, const Reflector& reflector) const override {
     return reflect(zonal::interpolate<method>(grid_, hit.position), hit, outgoing, reflector);
   }
 
  private:
-  const zonal::CoefficientGrid<N>& grid_;
+  const Grid& grid_;
 };
 
-template <int N>
+template <int N, GridContent content>
 class LightGridOf final : public LightGrid {
  public:
-  explicit LightGridOf(zonal::CoefficientGrid<N> coefficients) : grid(std::move(coefficients)) {}
+  using Grid = zonal::CoefficientGrid<N, content>;
+  explicit LightGridOf(Grid coefficients) : grid(std::move(coefficients)) {}
 
   glm::ivec3 resolution() const override { return grid.resolution(); }
 
   std::unique_ptr<LightField> interpolated(zonal::Interpolation method) const override {
     using zonal::Interpolation;
-    switch (method) {
-      case Interpolation::trilinear: return std::make_unique<InterpolatedField<N, Interpolation::trilinear>>(grid);
-      case Interpolation::taylor: return std::make_unique<InterpolatedField<N, Interpolation::taylor>>(grid);
-      case Interpolation::hermite: break;
+    if constexpr (Grid::has_gradients) {
+      switch (method) {
+        case Interpolation::taylor: return std::make_unique<InterpolatedField<Interpolation::taylor, Grid>>(grid);
+        case Interpolation::hermite: return std::make_unique<InterpolatedField<Interpolation::hermite, Grid>>(grid);
+        case Interpolation::trilinear: break;
+      }
     }
-    return std::make_unique<InterpolatedField<N, Interpolation::hermite>>(grid);
+    if (zonal::blocks_read(method) > Grid::block_count) throw std::logic_error("a grid of values alone");
+    return std::make_unique<InterpolatedField<Interpolation::trilinear, Grid>>(grid);
   }
 
   void save(const std::filesystem::path& path) const override { zonal::save_grid(path, grid); }
 
-  zonal::CoefficientGrid<N> grid;
+  Grid grid;
 };
 
 template <int N, class Light>
@@ -161,24 +166,17 @@ class LightingOf final : public Lighting {
   std::unique_ptr<LightField> exact() const override { return std::make_unique<ExactField<N, Light>>(lights_); }
 
   std::unique_ptr<LightGrid> grid(const Bounds& box, const glm::ivec3& resolution, GridContent content) const override {
-    auto made = std::make_unique<LightGridOf<N>>(zonal::CoefficientGrid<N>(box.lower, box.upper, resolution));
-    if (content == GridContent::values) {
-      set_values(made->grid);
-    } else {
-      add_to_grid(made->grid, lights_);
-    }
-    return made;
+    if (content == GridContent::values) return filled<GridContent::values>(box, resolution);
+    return filled<GridContent::values_and_gradients>(box, resolution);
   }
 
  private:
-  /// The gradients stay zero.
-  void set_values(zonal::CoefficientGrid<N>& grid) const {
-    const ExactField<N, Light> field(lights_);
-    const glm::ivec3 size = grid.resolution();
-    for_each_in_parallel(size.x * size.y * size.z, [&](int i) {
-      const glm::ivec3 vertex(i % size.x, i / size.x % size.y, i / size.x / size.y);
-      grid.set(vertex, {field.at(grid.position(vertex)), {}});
-    });
+  template <GridContent content>
+  std::unique_ptr<LightGrid> filled(const Bounds& box, const glm::ivec3& resolution) const {
+    using Grid = LightGridOf<N, content>;
+    auto made = std::make_unique<Grid>(typename Grid::Grid(box.lower, box.upper, resolution));
+    add_to_grid(made->grid, lights_);
+    return made;
   }
 
   Lights<Light> lights_;
@@ -198,10 +196,14 @@ template <int, class>
 inline constexpr bool is_built = true;
 #endif
 
-extern template class LightGridOf<3>;
-extern template class LightGridOf<5>;
-extern template class LightGridOf<7>;
-extern template class LightGridOf<9>;
+extern template class LightGridOf<3, GridContent::values>;
+extern template class LightGridOf<3, GridContent::values_and_gradients>;
+extern template class LightGridOf<5, GridContent::values>;
+extern template class LightGridOf<5, GridContent::values_and_gradients>;
+extern template class LightGridOf<7, GridContent::values>;
+extern template class LightGridOf<7, GridContent::values_and_gradients>;
+extern template class LightGridOf<9, GridContent::values>;
+extern template class LightGridOf<9, GridContent::values_and_gradients>;
 extern template class LightingOf<3, Sphere>;
 extern template class LightingOf<5, Sphere>;
 extern template class LightingOf<7, Sphere>;

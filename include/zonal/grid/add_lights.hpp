@@ -79,10 +79,13 @@ struct LightGroup {
 }  // namespace detail
 
 /// Adds lights that are symmetric about the direction to them, modulated or not (light/radial.hpp): value and gradient
-/// at every vertex, the gradient as far as a cell can use it (gradient_limit.hpp). for_each(count, body) calls body(0),
+/// at every vertex, the gradient as far as a cell can use it (gradient_limit.hpp), or the value alone. for_each(count,
+/// body) calls body(0),
 /// ..., body(count - 1), in any order, on as many threads as it likes.
-template <int N, class Light, class ForEach>
-void add_lights(CoefficientGrid<N>& grid, const std::vector<ColouredLight<Light>>& lights, ForEach&& for_each) {
+template <int N, GridContent content, class Light, class ForEach>
+void add_lights(CoefficientGrid<N, content>& grid, const std::vector<ColouredLight<Light>>& lights,
+                ForEach&& for_each) {
+  using Grid = CoefficientGrid<N, content>;
   using detail::VertexLanes;
   using Group = detail::LightGroup<Light>;
   using Lanes = typename Group::Lanes;
@@ -94,12 +97,12 @@ void add_lights(CoefficientGrid<N>& grid, const std::vector<ColouredLight<Light>
   for (const auto& light : lights) at_centre.push_back(gradient_limit(light.light, cell).at_centre);
 
   for_each(detail::vertex_packet_count(grid), [&](int packet) {
-    const detail::VertexPacket<N> vertices(grid, static_cast<std::size_t>(packet));
+    const detail::VertexPacket<Grid> vertices(grid, static_cast<std::size_t>(packet));
     Lanes position[3];
     for (int i = 0; i < 3; ++i) position[i] = vertices.position[i].template repeated<Group::size>();
     GradientLimit<Lanes> limit{Lanes(cell), Lanes(1 / cell), Lanes(0)};
 
-    LightSums<N, VertexLanes, Lanes, detail::ModulationOf<Light, Lanes>::exists> sums;
+    LightSums<N, VertexLanes, Lanes, detail::ModulationOf<Light, Lanes>::exists, Grid::has_gradients> sums;
     for (std::size_t first = 0; first < lights.size(); first += at_once) {
       std::array<const Light*, at_once> group;
       float colour[3][at_once], centre[at_once];
@@ -115,24 +118,26 @@ void add_lights(CoefficientGrid<N>& grid, const std::vector<ColouredLight<Light>
       limit.at_centre = blocks(centre);
       sums.add(see_limited<N>(Group::of(group), position[0], position[1], position[2], limit), colours);
     }
-    sums.finish([&](auto l, auto m, int c, const VertexLanes& value, const VertexLanes& x, const VertexLanes& y,
-                    const VertexLanes& z) { vertices.add(grid, 3 * sh_index(l, m) + c, value, x, y, z); });
+    sums.finish([&](int l, int m, int c, const auto&... value_and_gradient) {
+      vertices.add(grid, 3 * sh_index(l, m) + c, value_and_gradient...);
+    });
   });
 }
 
 /// Adds directional lights: the same value everywhere, and no gradient.
-template <int N, class ForEach>
-void add_lights(CoefficientGrid<N>& grid, const std::vector<ColouredLight<DirectionalLight<float>>>& lights,
+template <int N, GridContent content, class ForEach>
+void add_lights(CoefficientGrid<N, content>& grid, const std::vector<ColouredLight<DirectionalLight<float>>>& lights,
                 ForEach&& for_each) {
+  using Grid = CoefficientGrid<N, content>;
   Sh<N, glm::vec3> sum{};
   for (const auto& [light, colour] : lights) {
     const Sh<N, float> sh = evaluate<N>(light.direction);
     for (int i = 0; i < N * N; ++i) sum[i] += sh[i] * colour;
   }
   for_each(detail::vertex_packet_count(grid), [&](int packet) {
-    const detail::VertexPacket<N> vertices(grid, static_cast<std::size_t>(packet));
+    const detail::VertexPacket<Grid> vertices(grid, static_cast<std::size_t>(packet));
     for (std::size_t vertex = vertices.first; vertex < vertices.first + vertices.count; ++vertex) {
-      float* value = grid.data() + vertex * CoefficientGrid<N>::vertex_size;
+      float* value = grid.data() + vertex * Grid::vertex_size;
       for (int i = 0; i < N * N; ++i) {
         for (int c = 0; c < 3; ++c) value[3 * i + c] += sum[i][c];
       }

@@ -146,17 +146,19 @@ class PolygonLightSums {
 /// Adds polygon lights of RGB radiance, not negative, to the grid: value and gradient at every vertex. Greatest error,
 /// next to rounding, with e = `tolerance` times the sum of all lights' coefficients of degree 0 there, in each channel:
 /// of a coefficient e, of the gradient 4 e over the distance to the nearest edge. No point of an edge counts in the
-/// gradient as nearer than a cell's longest side (gradient_limit.hpp says why). for_each as in add_lights.hpp.
-template <int N, int V, class ForEach>
-void add_lights(CoefficientGrid<N>& grid, const std::vector<ColouredLight<PolygonLight<V, float>>>& lights,
+/// gradient as nearer than a cell's longest side (gradient_limit.hpp says why). To a grid of values alone it is the
+/// same work. for_each as in add_lights.hpp.
+template <int N, GridContent content, int V, class ForEach>
+void add_lights(CoefficientGrid<N, content>& grid, const std::vector<ColouredLight<PolygonLight<V, float>>>& lights,
                 double tolerance, ForEach&& for_each) {
+  using Grid = CoefficientGrid<N, content>;
   using detail::VertexLanes;
   using Sums = detail::PolygonLightSums<N>;
   using Edges = typename Sums::Edges;
   const detail::LightEdges light_edges = detail::edges_of(lights);
   const float cell = (std::max)({grid.spacing().x, grid.spacing().y, grid.spacing().z});
   for_each(detail::vertex_packet_count(grid), [&](int packet) {
-    const detail::VertexPacket<N> vertices(grid, static_cast<std::size_t>(packet));
+    const detail::VertexPacket<Grid> vertices(grid, static_cast<std::size_t>(packet));
     Sums sums;
 
     std::vector<VertexLanes> side(lights.size());
@@ -202,7 +204,11 @@ void add_lights(CoefficientGrid<N>& grid, const std::vector<ColouredLight<Polygo
       finish(sums[c], value);
       const auto& slope = sums[c].slope;
       for (int i = 0; i < N * N; ++i) {
-        vertices.add(grid, 3 * i + c, value[i], slope[0][i], slope[1][i], slope[2][i]);
+        if constexpr (Grid::has_gradients) {
+          vertices.add(grid, 3 * i + c, value[i], slope[0][i], slope[1][i], slope[2][i]);
+        } else {
+          vertices.add(grid, 3 * i + c, value[i]);
+        }
       }
     }
   });

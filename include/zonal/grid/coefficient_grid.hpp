@@ -1,12 +1,13 @@
-// Coefficients and their spatial gradients at the vertices of a regular grid over a box.
+// Coefficients at the vertices of a regular grid over a box, with their spatial gradients or without.
 //
 // All is one array of floats: vertex after vertex, x fastest, then y; per vertex four blocks side by side, the value
-// and its derivatives by x, y and z; per block 3 N*N floats in the order of Sh<N, glm::vec3>, coefficient by
-// coefficient, RGB innermost. An interpolation weighs all floats of a block alike, so any order within a block
-// vectorises as well, and this one is what goes in and out. Blocks of a vertex adjoin because the interpolations that
-// use gradients read all four, and so do vertices along x: a cell is four runs of memory.
+// and its derivatives by x, y and z, or the value's block alone; per block 3 N*N floats in the order of Sh<N,
+// glm::vec3>, coefficient by coefficient, RGB innermost. An interpolation weighs all floats of a block alike, so any
+// order within a block vectorises as well, and this one is what goes in and out. Blocks of a vertex adjoin because the
+// interpolations that use gradients read all four, and so do vertices along x: a cell is four runs of memory.
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -22,15 +23,20 @@
 namespace zonal {
 inline namespace ZONAL_TARGET {
 
+/// What a grid has at its vertices. Gradients are what Hermite and Taylor interpolation need.
+enum class GridContent { values, values_and_gradients };
+
 /// N bands of RGB coefficients and their gradients, per unit of length, at resolution.x * .y * .z vertices, the
-/// outermost on the faces of the box from `low` to `high`. 48 N*N bytes per vertex, and no more. Vertices are named by
-/// (i, j, k), from 0.
-template <int N>
+/// outermost on the faces of the box from `low` to `high`. 48 N*N bytes per vertex, without gradients 12 N*N, and no
+/// more. Vertices are named by (i, j, k), from 0.
+template <int N, GridContent grid_content = GridContent::values_and_gradients>
 class CoefficientGrid {
  public:
   static constexpr int bands = N;
-  static constexpr int block_size = 3 * N * N;  // floats
-  static constexpr int block_count = 4;         // value, d/dx, d/dy, d/dz
+  static constexpr GridContent content = grid_content;
+  static constexpr bool has_gradients = content == GridContent::values_and_gradients;
+  static constexpr int block_size = 3 * N * N;               // floats
+  static constexpr int block_count = has_gradients ? 4 : 1;  // value, d/dx, d/dy, d/dz
   static constexpr int vertex_size = block_count * block_size;
 
   /// All coefficients 0. Throws std::invalid_argument unless the box is finite, low < high on every axis, and there are
@@ -87,9 +93,13 @@ class CoefficientGrid {
 
   Sh<N, glm::vec3> value(const glm::ivec3& vertex) const { return block(vertex, 0); }
   ShGradient<N, glm::vec3> value_with_gradient(const glm::ivec3& vertex) const {
+    static_assert(has_gradients, "a grid of values alone has no gradients");
     return {block(vertex, 0), {block(vertex, 1), block(vertex, 2), block(vertex, 3)}};
   }
+  /// A gradient that is there stays as it is.
+  void set(const glm::ivec3& vertex, const Sh<N, glm::vec3>& value) { set_block(vertex, 0, value); }
   void set(const glm::ivec3& vertex, const ShGradient<N, glm::vec3>& coefficients) {
+    static_assert(has_gradients, "a grid of values alone has no gradients");
     set_block(vertex, 0, coefficients.value);
     for (int axis = 0; axis < 3; ++axis) set_block(vertex, axis + 1, coefficients.gradient[axis]);
   }
@@ -137,6 +147,18 @@ class CoefficientGrid {
   glm::ivec3 resolution_;
   std::vector<float> data_;
 };
+
+/// The grid without its gradients.
+template <int N>
+CoefficientGrid<N, GridContent::values> values_of(const CoefficientGrid<N>& grid) {
+  CoefficientGrid<N, GridContent::values> values(grid.low(), grid.high(), grid.resolution());
+  const float* source = grid.data();
+  for (float* target = values.data(); target < values.data() + values.size(); target += values.vertex_size) {
+    std::copy_n(source, values.block_size, target);
+    source += grid.vertex_size;
+  }
+  return values;
+}
 
 }  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -24,14 +24,14 @@
 // the interpolation alone. It limits each light by itself, before any sum. (A light whose A_0 is not monotone in d has
 // its slope limited near the extremes of it as well.)
 //
-// E/pi of one sphere light of radiance 1 by interpolation from 3 bands, over its greatest in the box; 10^5 random lights
-// of 0.01 to 4 cells, the surface 1e-6 to 3 radii from a vertex (tests/grid/beside_light_test.cpp):
+// E/pi of one sphere light of radiance 1 by interpolation from 3 bands, over its greatest in the box; 10^5 random
+// lights of 0.01 to 4 cells, the surface 1e-6 to 3 radii from a vertex (tests/grid/beside_light_test.cpp):
 //
 //   Hermite -0.042 to 1.056     Taylor -0.28 to 1.24     trilinear -0.035 to 1.049
 //
 // where trilinear's excess is that of 3 bands. Taylor expands each vertex over the whole cell, hence its wider range.
-// Polygon lights have their own limit (add_polygons.hpp): a gradient is an integral over edges of 1/rho, the distance of
-// each point, which counts for no more than 1/h. Not limited: the loops over lights of the generated shaders.
+// Polygon lights have their own limit (add_polygons.hpp): a gradient is an integral over edges of 1/rho, the distance
+// of each point, which counts for no more than 1/h. Not limited: the loops over lights of the generated shaders.
 #pragma once
 
 #include "../light/radial.hpp"

@@ -10,7 +10,7 @@
 //   16-27   vertices along x, y and z
 //   28-51   the box: low x, y, z, then high x, y, z, as floats
 //   52-59   number of floats that follow
-//   60-     the floats: 12 N*N per vertex
+//   60-     the floats: 12 N*N per vertex, or 3 N*N without gradients
 //   last 8  FNV-1a of everything before, 64 bits, taken four bytes at a time
 //
 // A file is written beside its place and moved there when it is whole. Loading checks all of the above, and the size of
@@ -39,6 +39,7 @@ using GridFileError = FileError;
 /// What a grid's file says of it before the data.
 struct GridFileHeader {
   int bands;
+  GridContent content;
   glm::ivec3 resolution;
   glm::vec3 low, high;
 };
@@ -49,8 +50,8 @@ inline constexpr FileFormat grid_file_format{"ZONALGRD", 1, 60, "grid"};
 
 using GridFileHeaderWords = std::array<std::uint32_t, grid_file_format.header_size / 4>;
 
-template <int N>
-GridFileHeaderWords header_words(const CoefficientGrid<N>& grid) {
+template <int N, GridContent content>
+GridFileHeaderWords header_words(const CoefficientGrid<N, content>& grid) {
   GridFileHeaderWords words{};
   grid_file_format.begin(words.data());
   words[3] = static_cast<std::uint32_t>(N);
@@ -70,20 +71,22 @@ class GridFileReader : public WordReader {
   explicit GridFileReader(const std::filesystem::path& path) : WordReader(path, grid_file_format) {
     GridFileHeaderWords words;
     read_header(words.data());
-    // No product below can overflow: 12 * 1024^2 * 2^31, then counted down.
+    // No product below can overflow: 3 * 1024^2 * 2^31, then counted down.
     if (words[3] < 1 || words[3] > 1024) fail("is damaged: it says it has " + std::to_string(words[3]) + " bands");
-    std::uint64_t floats = std::uint64_t{12} * words[3] * words[3];
+    std::uint64_t values = std::uint64_t{3} * words[3] * words[3];
     for (std::size_t a = 0; a < 3; ++a) {
       const std::uint32_t count = words[4 + a];
-      if (count < 2 || count > 0x7FFFFFFF || floats > (size() / 4 + 1) / count) {
+      if (count < 2 || count > 0x7FFFFFFF || values > (size() / 4 + 1) / count) {
         fail("is damaged: its resolution does not go with its size");
       }
-      floats *= count;
+      values *= count;
     }
-    if (from_words(&words[13]) != floats ||
+    const std::uint64_t floats = from_words(&words[13]);
+    if ((floats != values && floats != 4 * values) ||
         size() != grid_file_format.header_size + 4 * floats + FileFormat::checksum_size) {
       fail("is damaged: its size is not what its header says");
     }
+    header_.content = floats == values ? GridContent::values : GridContent::values_and_gradients;
     header_.bands = static_cast<int>(words[3]);
     for (int a = 0; a < 3; ++a) {
       const auto axis = static_cast<std::size_t>(a);
@@ -102,8 +105,8 @@ class GridFileReader : public WordReader {
 }  // namespace detail
 
 /// Writes the grid. Throws GridFileError where it cannot; the file is then what it was, or still not there.
-template <int N>
-void save_grid(const std::filesystem::path& path, const CoefficientGrid<N>& grid) {
+template <int N, GridContent content>
+void save_grid(const std::filesystem::path& path, const CoefficientGrid<N, content>& grid) {
   detail::WordWriter writer(path);
   const auto header = detail::header_words(grid);
   writer.write(header.data(), header.size());
@@ -111,21 +114,27 @@ void save_grid(const std::filesystem::path& path, const CoefficientGrid<N>& grid
   writer.finish();
 }
 
-/// What stands in the file, without its data: for the number of bands to load it with. Throws GridFileError.
+/// What stands in the file, without its data: for the number of bands, and the content, to load it with. Throws
+/// GridFileError.
 inline GridFileHeader read_grid_header(const std::filesystem::path& path) {
   return detail::GridFileReader(path).header();
 }
 
-/// Reads a grid of N bands. Throws GridFileError unless it is one, whole and undamaged.
-template <int N>
-CoefficientGrid<N> load_grid(const std::filesystem::path& path) {
+/// Reads a grid of N bands, with gradients or without as the file has it. Throws GridFileError unless it is one, whole
+/// and undamaged.
+template <int N, GridContent content = GridContent::values_and_gradients>
+CoefficientGrid<N, content> load_grid(const std::filesystem::path& path) {
   detail::GridFileReader reader(path);
   const GridFileHeader& header = reader.header();
   if (header.bands != N) {
     reader.fail("has " + std::to_string(header.bands) + " bands, not " + std::to_string(N));
   }
+  if (header.content != content) {
+    reader.fail(content == GridContent::values ? "has gradients as well; load it with them, and take its values_of"
+                                               : "has values alone, no gradients");
+  }
   try {
-    CoefficientGrid<N> grid(header.low, header.high, header.resolution);
+    CoefficientGrid<N, content> grid(header.low, header.high, header.resolution);
     reader.read_floats(grid.data(), grid.size());
     reader.check_the_end();
     return grid;

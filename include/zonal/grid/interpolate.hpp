@@ -1,7 +1,9 @@
 // Coefficients anywhere in a grid, from the vertices of the cell around: trilinear, first-order Taylor and Hermite.
 //
 // A lookup finds the cell, computes the weights of its 8 corners (interpolation_weights.hpp, where the three are
-// compared), and adds up the corners' blocks: one sum over 8 or 32 terms for all coefficients and colours, in packets.
+// compared), and adds up the corners' blocks: one sum over 8 or 32 terms for all coefficients and colours.
+//
+// Positions are anything with p[0], p[1] and p[2]; colours, anything made of three floats in braces.
 //
 // Outside the box the interpolant is that of the nearest point of the box, constant along the face's normal: there the
 // gradient's component across the face is 0. On the face itself it is the inside's. On a face between cells, where a
@@ -17,7 +19,8 @@
 
 #include <glm/vec3.hpp>
 
-#include "../scalar/packet.hpp"
+#include "../scalar/float_lanes.hpp"
+#include "../scalar/unroll.hpp"
 #include "coefficient_grid.hpp"
 #include "interpolation_weights.hpp"
 
@@ -41,16 +44,16 @@ inline CellCoordinate locate(float x, float low, float high, int vertices) {
 }
 
 // A cell of the grid, and the position in it.
-template <int N>
 struct CellLookup {
   const float* corners[8];
   float size[3], t[3], rate[3];
 
-  CellLookup(const CoefficientGrid<N>& grid, const glm::vec3& position) {
-    const glm::vec3 spacing = grid.spacing();
+  template <class Grid, class Position>
+  CellLookup(const Grid& grid, const Position& position) {
+    const glm::vec3 p(position[0], position[1], position[2]), spacing = grid.spacing();
     glm::ivec3 cell;
     for (int axis = 0; axis < 3; ++axis) {
-      const CellCoordinate place = locate(position[axis], grid.low()[axis], grid.high()[axis], grid.resolution()[axis]);
+      const CellCoordinate place = locate(p[axis], grid.low()[axis], grid.high()[axis], grid.resolution()[axis]);
       cell[axis] = place.cell;
       size[axis] = spacing[axis];
       t[axis] = place.t;
@@ -60,89 +63,82 @@ struct CellLookup {
     const auto behind = above * static_cast<std::size_t>(grid.resolution().y);
     for (std::size_t c = 0; c < 8; ++c) {
       const std::size_t vertex = first + (c & 1) + (c >> 1 & 1) * above + (c >> 2) * behind;
-      corners[c] = grid.data() + vertex * CoefficientGrid<N>::vertex_size;
+      corners[c] = grid.data() + vertex * Grid::vertex_size;
     }
   }
 };
 
-// The lanes in which `count` consecutive floats are best summed: the last packet overlaps the one before.
+// The lanes in which `count` consecutive floats are best summed: the last vector overlaps the one before.
 constexpr int lanes_for(int count) {
   int lanes = kNativeLanes;
   while (lanes > count) lanes /= 2;
   return lanes < 4 ? 1 : lanes;
 }
-template <int Lanes>
-struct FloatsOf {
-  using Type = Packet<float, Lanes>;
-  ZONAL_INLINE static Type load(const float* source) { return Type::load(source); }
-  ZONAL_INLINE static void store(const Type& x, float* target) { x.store(target); }
-};
-template <>
-struct FloatsOf<1> {
-  using Type = float;
-  static float load(const float* source) { return *source; }
-  static void store(float x, float* target) { *target = x; }
-};
 
 // sums[o] = sum over corners and blocks of weights[o] times the corner's block of Count floats.
 template <Interpolation method, int Count, int Outputs>
 ZONAL_INLINE inline void weighted_sums(const float* const (&corners)[8],
                                        const CellWeights<method, float> (&weights)[std::size_t{Outputs}],
                                        float (&sums)[std::size_t{Outputs}][std::size_t{Count}]) {
-  constexpr int lanes = lanes_for(Count), packets = (Count + lanes - 1) / lanes;
-  constexpr int together = Outputs == 1 ? 6 : 2;  // packets, so that all sums stay in registers
-  using Floats = FloatsOf<lanes>;
-  using P = typename Floats::Type;
-  unroll<0, (packets + together - 1) / together>([&](auto group) ZONAL_INLINE {
-    constexpr int first = group * together, size = packets - first < together ? packets - first : together;
+  constexpr int lanes = lanes_for(Count), vectors = (Count + lanes - 1) / lanes;
+  constexpr int together = Outputs == 1 ? 6 : 2;  // so that all sums stay in registers
+  using Floats = FloatLanes<lanes>;
+  unroll<0, (vectors + together - 1) / together>([&](auto group) ZONAL_INLINE {
+    constexpr int first = group * together, size = vectors - first < together ? vectors - first : together;
     constexpr auto begin = [](int i) {
       return (first + i) * lanes < Count - lanes ? (first + i) * lanes : Count - lanes;
     };
-    P partial[static_cast<std::size_t>(Outputs)][static_cast<std::size_t>(size)];
+    Floats partial[static_cast<std::size_t>(Outputs)][static_cast<std::size_t>(size)];
     for (auto& output : partial) {
-      for (P& p : output) p = P(0);
+      for (Floats& sum : output) sum = Floats::filled(0);
     }
     for (int c = 0; c < 8; ++c) {
       unroll<0, blocks_read(method)>([&](auto block) ZONAL_INLINE {
+        Floats weight[static_cast<std::size_t>(Outputs)];
+        for (int o = 0; o < Outputs; ++o) weight[o] = Floats::filled(weights[o].corner[c][block]);
         unroll<0, size>([&](auto i) ZONAL_INLINE {
-          const P data = Floats::load(corners[c] + block * Count + begin(i));
-          for (int o = 0; o < Outputs; ++o) add_product(partial[o][i], P(weights[o].corner[c][block]), data);
+          const Floats data = Floats::load(corners[c] + block * Count + begin(i));
+          for (int o = 0; o < Outputs; ++o) partial[o][i].add_product(weight[o], data);
         });
       });
     }
     for (int o = 0; o < Outputs; ++o) {
-      for (int i = 0; i < size; ++i) Floats::store(partial[o][i], sums[o] + begin(i));
+      for (int i = 0; i < size; ++i) partial[o][i].store(sums[o] + begin(i));
     }
   });
 }
 
-template <int N>
-ZONAL_INLINE inline Sh<N, glm::vec3> as_sh(const float (&values)[std::size_t{3 * N * N}]) {
-  Sh<N, glm::vec3> sh;
-  for (int i = 0; i < N * N; ++i) sh[i] = {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
+template <class Colour, int N>
+ZONAL_INLINE inline Sh<N, Colour> as_sh(const float (&values)[std::size_t{3 * N * N}]) {
+  Sh<N, Colour> sh;
+  for (int i = 0; i < N * N; ++i) sh[i] = Colour{values[3 * i], values[3 * i + 1], values[3 * i + 2]};
   return sh;
 }
 
 }  // namespace detail
 
 /// The coefficients at a position, interpolated.
-template <Interpolation method, int N>
-Sh<N, glm::vec3> interpolate(const CoefficientGrid<N>& grid, const glm::vec3& position) {
-  const detail::CellLookup<N> at(grid, position);
+template <Interpolation method, class Colour = glm::vec3, int N, GridContent content, class Position>
+Sh<N, Colour> interpolate(const CoefficientGrid<N, content>& grid, const Position& position) {
+  static_assert(blocks_read(method) <= CoefficientGrid<N, content>::block_count,
+                "a grid of values alone interpolates trilinearly");
+  const detail::CellLookup at(grid, position);
   const CellWeights<method, float> weights[1] = {cell_weights<method>(axis_weights<method>(at.t[0], at.size[0]),
                                                                       axis_weights<method>(at.t[1], at.size[1]),
                                                                       axis_weights<method>(at.t[2], at.size[2]))};
   float sums[1][static_cast<std::size_t>(3 * N * N)];
   detail::weighted_sums<method, 3 * N * N, 1>(at.corners, weights, sums);
-  return detail::as_sh<N>(sums[0]);
+  return detail::as_sh<Colour, N>(sums[0]);
 }
 
 /// The same, and the interpolant's own gradient, exactly: d/dx, d/dy and d/dz of the interpolated coefficients, per
 /// unit of length. (Not the interpolated gradient: the two agree at the vertices only, and for trilinear not even
 /// there.)
-template <Interpolation method, int N>
-ShGradient<N, glm::vec3> interpolate_with_gradient(const CoefficientGrid<N>& grid, const glm::vec3& position) {
-  const detail::CellLookup<N> at(grid, position);
+template <Interpolation method, class Colour = glm::vec3, int N, GridContent content, class Position>
+ShGradient<N, Colour> interpolate_with_gradient(const CoefficientGrid<N, content>& grid, const Position& position) {
+  static_assert(blocks_read(method) <= CoefficientGrid<N, content>::block_count,
+                "a grid of values alone interpolates trilinearly");
+  const detail::CellLookup at(grid, position);
   AxisWeights<float> axis[3], slope[3];
   for (int a = 0; a < 3; ++a) {
     axis[a] = axis_weights<method>(at.t[a], at.size[a]);
@@ -153,7 +149,8 @@ ShGradient<N, glm::vec3> interpolate_with_gradient(const CoefficientGrid<N>& gri
       cell_weights<method>(axis[0], slope[1], axis[2]), cell_weights<method>(axis[0], axis[1], slope[2])};
   float sums[4][static_cast<std::size_t>(3 * N * N)];
   detail::weighted_sums<method, 3 * N * N, 4>(at.corners, weights, sums);
-  return {detail::as_sh<N>(sums[0]), {detail::as_sh<N>(sums[1]), detail::as_sh<N>(sums[2]), detail::as_sh<N>(sums[3])}};
+  const auto sh = [&](int i) { return detail::as_sh<Colour, N>(sums[i]); };
+  return {sh(0), {sh(1), sh(2), sh(3)}};
 }
 
 }  // namespace ZONAL_TARGET

@@ -25,8 +25,9 @@ struct ColouredLight {
 
 /// The sums at receivers T (a float, or a packet of them). Wide takes several lights at once: T, or a packet of a
 /// multiple of T's lanes, whose first lanes are the receivers for the first light, and so on. That loads and stores
-/// each sum once for all of them. Lights with a Modulation need is_modulated, and twice as many sums.
-template <int N, class T, class Wide = T, bool is_modulated = false>
+/// each sum once for all of them. Lights with a Modulation need is_modulated, and twice as many sums. Without gradients
+/// there are values alone, a third of the sums.
+template <int N, class T, class Wide = T, bool is_modulated = false, bool has_gradients = true>
 class LightSums {
  public:
   LightSums() {
@@ -54,11 +55,11 @@ class LightSums {
         profile.slope.values[l] = profile.slope.values[l] * seen.modulation.value;
       });
     }
-    Sh<N + 1, Wide> basis;
+    Sh<degrees, Wide> basis;
     detail::evaluate_into(basis, sight.direction[0], sight.direction[1], sight.direction[2]);
 
     // Degree by degree, so that its factors stay near.
-    unroll<0, N + 1>([&](auto l) ZONAL_INLINE {
+    unroll<0, degrees>([&](auto l) ZONAL_INLINE {
       const auto& values = profile.value.values;
       const auto& slopes = profile.slope.values;
       Wide factor[static_cast<std::size_t>(term_count)][3];
@@ -66,11 +67,12 @@ class LightSums {
         for (int c = 0; c < 3; ++c) factor[term][c] = x_of_degree * colour[c];
       };
       if constexpr (exists(value, l)) set(value, values[l]);
-      if constexpr (exists(up, l)) set(up, Wide(l - 1) * (values[l - 1] * sight.inverse_distance) - slopes[l - 1]);
-      if constexpr (exists(down, l)) {
+      if constexpr (has_gradients && exists(up, l))
+        set(up, Wide(l - 1) * (values[l - 1] * sight.inverse_distance) - slopes[l - 1]);
+      if constexpr (has_gradients && exists(down, l)) {
         set(down, -(Wide(l + 2) * (values[l + 1] * sight.inverse_distance)) - slopes[l + 1]);
       }
-      if constexpr (is_modulated && exists(modulated, l)) {  // (w A_l Y)' = w (A_l Y)' + w' A_l Y
+      if constexpr (term_count > modulated && exists(modulated, l)) {  // (w A_l Y)' = w (A_l Y)' + w' A_l Y
         for (int k = 0; k < 3; ++k) set(modulated + k, seen.profile.value.values[l] * seen.modulation.gradient[k]);
       }
       for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
@@ -87,6 +89,7 @@ class LightSums {
   /// there is no such degree: for l = N, and from l = N-1 on.
   template <class Visit>
   void for_each(Visit&& visit) {
+    static_assert(has_gradients, "these are the sums of values alone");
     for (int l = 0; l <= N; ++l) {
       for (int m = -l; m <= l; ++m) {
         for (int c = 0; c < 3; ++c) {
@@ -97,22 +100,27 @@ class LightSums {
     }
   }
 
-  /// The results: sink(l, m, colour, value, d/dx, d/dy, d/dz), colour 0 to 2.
+  /// The results: sink(l, m, colour, value, d/dx, d/dy, d/dz), colour 0 to 2; without gradients sink(l, m, colour,
+  /// value).
   template <class Sink>
   void finish(Sink&& sink) const {
     for (int c = 0; c < 3; ++c) {
       const auto sum = [&](int l, int m, int term) -> const T& { return sums_[sh_index(l, m)][c][term]; };
       unroll<0, N>([&](auto l) {
-        detail::ladder<l, T, detail::UnitWeights>([&](auto m) { return sum(l + 1, m, up); },
-                                                  [&](auto m) { return sum(l - 1, m, down); },
-                                                  [&](auto m, const T& x, const T& y, const T& z) {
-                                                    if constexpr (is_modulated) {
-                                                      sink(l, m, c, sum(l, m, value), x + sum(l, m, modulated),
-                                                           y + sum(l, m, modulated + 1), z + sum(l, m, modulated + 2));
-                                                    } else {
-                                                      sink(l, m, c, sum(l, m, value), x, y, z);
-                                                    }
-                                                  });
+        if constexpr (has_gradients) {
+          detail::ladder<l, T, detail::UnitWeights>(
+              [&](auto m) { return sum(l + 1, m, up); }, [&](auto m) { return sum(l - 1, m, down); },
+              [&](auto m, const T& x, const T& y, const T& z) {
+                if constexpr (is_modulated) {
+                  sink(l, m, c, sum(l, m, value), x + sum(l, m, modulated), y + sum(l, m, modulated + 1),
+                       z + sum(l, m, modulated + 2));
+                } else {
+                  sink(l, m, c, sum(l, m, value), x, y, z);
+                }
+              });
+        } else {
+          for (int m = -l; m <= l; ++m) sink(l, m, c, sum(l, m, value));
+        }
       });
     }
   }
@@ -121,11 +129,12 @@ class LightSums {
   // What Y_l^m is multiplied by: A_l, the step up from l-1, the step down from l+1, and A_l times the modulation's
   // gradient.
   enum Term { value, up, down, modulated };
-  static constexpr int term_count = is_modulated ? modulated + 3 : modulated;
+  static constexpr int term_count = !has_gradients ? up : is_modulated ? modulated + 3 : modulated;
+  static constexpr int degrees = has_gradients ? N + 1 : N;  // the step up from N-1 is of degree N
   static constexpr bool exists(int term, int l) { return term == up ? l > 0 : term == down ? l + 1 < N : l < N; }
   using Sums = T[3][static_cast<std::size_t>(term_count)];
 
-  Sums sums_[static_cast<std::size_t>((N + 1) * (N + 1))];
+  Sums sums_[static_cast<std::size_t>(degrees * degrees)];
 };
 
 }  // namespace ZONAL_TARGET

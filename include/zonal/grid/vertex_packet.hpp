@@ -13,18 +13,18 @@ namespace detail {
 
 using VertexLanes = Packet<float, kNativeLanes>;
 
-template <int N>
-int vertex_packet_count(const CoefficientGrid<N>& grid) {
+template <class Grid>
+int vertex_packet_count(const Grid& grid) {
   return static_cast<int>((grid.vertex_count() + kNativeLanes - 1) / kNativeLanes);
 }
 
 // The positions of up to kNativeLanes vertices from `first` on; lanes beyond the last vertex repeat it.
-template <int N>
+template <class Grid>
 struct VertexPacket {
   VertexLanes position[3];
   std::size_t first, count;
 
-  VertexPacket(const CoefficientGrid<N>& grid, std::size_t packet) : first(packet * kNativeLanes) {
+  VertexPacket(const Grid& grid, std::size_t packet) : first(packet * kNativeLanes) {
     count = (std::min<std::size_t>)(kNativeLanes, grid.vertex_count() - first);
     const auto width = static_cast<std::size_t>(grid.resolution().x),
                height = static_cast<std::size_t>(grid.resolution().y);
@@ -37,16 +37,17 @@ struct VertexPacket {
     for (int i = 0; i < 3; ++i) position[i] = VertexLanes::load(lanes[i]);
   }
 
-  // Adds to float number `coefficient` of each of the four blocks.
-  ZONAL_INLINE void add(CoefficientGrid<N>& grid, int coefficient, const VertexLanes& value, const VertexLanes& x,
-                        const VertexLanes& y, const VertexLanes& z) const {
-    const VertexLanes* const blocks[4] = {&value, &x, &y, &z};
-    for (std::size_t block = 0; block < 4; ++block) {
+  // Adds to float number `coefficient` of the value, and of the derivatives by x, y and z.
+  template <class... Derivatives>
+  ZONAL_INLINE void add(Grid& grid, int coefficient, const VertexLanes& value,
+                        const Derivatives&... derivatives) const {
+    static_assert(1 + sizeof...(Derivatives) == Grid::block_count, "as many as the grid has blocks");
+    const VertexLanes* const blocks[] = {&value, &derivatives...};
+    for (std::size_t block = 0; block < Grid::block_count; ++block) {
       float lanes[kNativeLanes];
       blocks[block]->store(lanes);
-      float* target = grid.data() + first * CoefficientGrid<N>::vertex_size + block * CoefficientGrid<N>::block_size +
-                      static_cast<std::size_t>(coefficient);
-      for (std::size_t lane = 0; lane < count; ++lane) target[lane * CoefficientGrid<N>::vertex_size] += lanes[lane];
+      float* target = grid.data() + first * Grid::vertex_size + block * Grid::block_size + std::size_t(coefficient);
+      for (std::size_t lane = 0; lane < count; ++lane) target[lane * Grid::vertex_size] += lanes[lane];
     }
   }
 };

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "float_lanes.hpp"
 #include "scalar.hpp"
 #include "unroll.hpp"
 
@@ -193,15 +194,6 @@ template <class T, int W>
 struct ScalarTraits<Packet<T, W>> {
   using Lane = T;
 };
-
-/// Floats in one register of the target this file is compiled for: 16 with AVX-512, 8 with AVX, else 4.
-#if defined(__AVX512F__)
-inline constexpr int kNativeLanes = 16;
-#elif defined(__AVX__)
-inline constexpr int kNativeLanes = 8;
-#else
-inline constexpr int kNativeLanes = 4;
-#endif
 
 }  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -89,7 +89,7 @@ def interpolation(folder):
     by_memory = [f"{size:.0f}³" for size, memory, _, error in best if memory and memory < error]
     by_time = [f"{size:.0f}³" for size, _, time, error in best if time and time < error]
     titles = ["Hermite grid", "memory", "ms", "error", "trilinear, equal memory", "Taylor, equal memory",
-              "trilinear, equal time", "Taylor, equal time", "error of gradients", "trilinear's, equal memory"]
+              "trilinear, equal time", "Taylor, equal time", "error of gradients", "trilinear's gradients, equal memory"]
     taylor = [one(rows, method="taylor", resolution=row["resolution"])["value_error"] / row["value_error"]
               for row in where(rows, method="trilinear") if one(rows, method="taylor", resolution=row["resolution"])]
     return "\n\n".join([
@@ -100,7 +100,8 @@ def interpolation(folder):
         f"{LOOKUPS} lookups, of coefficients without their gradients, on one thread.",
         f"Trilinear interpolation is better than Hermite's in equal memory at {listed(by_memory)}, in equal time at "
         f"{listed(by_time)}; elsewhere Hermite's is. At equal resolution, and four times the memory, Taylor's error is "
-        f"{min(taylor):.2f} to {max(taylor):.2f} of the trilinear one. The columns of factors say how many times Hermite's error the others have.",
+        f"{min(taylor):.2f} to {max(taylor):.2f} of the trilinear one. The columns of "
+        "factors say how many times Hermite's error the others have.",
         table(titles, lines)])
 
 
@@ -118,7 +119,7 @@ def triangles_table(rows):
         lines.append([name] + [text for row in same for text in (
             f"{row['ns']:.0f}", f"{row['value_error']:.1e}", f"{row['gradient_error']:.1e}")])
     titles = [title for number in bands for title in (f"{number:.0f} bands: ns", "error", "of gradients")]
-    return table(["", *titles], lines)
+    return table(["the square as", *titles], lines)
 
 
 def triangles(folder):
@@ -157,7 +158,7 @@ def materials_table(rows):
         errors = [f"{one(plain, bands=bands)['error']:.3f}" for bands in SHOWN_BANDS]
         windowed = [f"{one(here, bands=9, window=window)['error']:.3f}" for window in ("sinc", "hann")]
         lines.append([material, source, bands_for(plain, 0.1), bands_for(plain, 0.05), *errors, *windowed])
-    titles = ["material", "", "bands for 10 %", "for 5 %", *(f"{bands} bands" for bands in SHOWN_BANDS), "9, sinc",
+    titles = ["material", "source", "bands for 10 %", "for 5 %", *(f"{bands} bands" for bands in SHOWN_BANDS), "9, sinc",
               "9, Hann"]
     return table(titles, lines)
 

@@ -77,11 +77,11 @@ def frame_ms(row):
 
 # What tells two variants of a method apart, and how it is said.
 VARIANT = {"vpl_clamp": "clamped at {:.0f} r", "vsl_samples": "{:.0f} samples", "vsgl_texels": "{:.0f}² texels",
-           "bands": "{:.0f} bands", "emission_bands": "emission {:.0f}"}
-METHOD = {"vpl": "VPL", "vsl": "VSL", "vsgl": "VSGL", "hvl": "HVL", "hvl-zonal": "zonal HVL"}
+           "bands": "{:.0f} bands", "emission_bands": "emission {:.0f}", "paths": "{:.0f} to a pixel"}
+METHOD = {"vpl": "VPL", "vsl": "VSL", "vsgl": "VSGL", "hvl": "HVL", "hvl-zonal": "zonal HVL", "path": "paths"}
 
 
 def variant(row):
     said = [text.format(row[key]) for key, text in VARIANT.items()
-            if row[key] not in ("", 0) and not (key == "emission_bands" and row[key] == 3)]
+            if row.get(key, "") not in ("", 0) and not (key == "emission_bands" and row[key] == 3)]
     return ", ".join([METHOD[row["method"]], *said])

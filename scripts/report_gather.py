@@ -13,7 +13,7 @@ import sys
 import tempfile
 
 FIELDS = ["part", "label", "scene", "width", "height", "visibility", "method", "lights", "bands", "emission_bands",
-          "vsl_samples", "vsgl_texels", "vpl_clamp", "material_s", "lights_s", "gather_s", "rmse", "psnr_db", "ssim",
+          "vsl_samples", "vsgl_texels", "vpl_clamp", "paths", "material_s", "lights_s", "gather_s", "rmse", "psnr_db", "ssim",
           "linear_rmse", "picture"]
 
 # `repeats`: of the runs of the tables, whose times are medians. `measured`: the most lights there. VPL and VSL look such
@@ -120,6 +120,20 @@ class Renderer:
                 "gather_s": seconds["gather"], "rmse": errors["rmse"], "psnr_db": errors["psnr_db"],
                 "ssim": errors["ssim"], "linear_rmse": errors["linear_rmse_relative_to_mean"], "picture": picture}
 
+    def paths_row(self, part, label, scene, size, visibility, seconds, picture):
+        """Path tracing, of one bounce like all others, by as many paths a pixel as the time allows, at least one."""
+        def trace(paths):
+            return self.run(scene, size, "path", bounces=1, spp=paths, out=self.folder / picture,
+                            reference=self.reference_file(scene, size))
+        once = trace(4)
+        facts = trace(max(1, round(4 * seconds / once["seconds"]["paths"])))
+        errors = facts["errors"]
+        return {"part": part, "label": label, "scene": scene, "width": size[0], "height": size[1],
+                "visibility": visibility, "method": "path", "lights": 0, "paths": facts["counts"]["paths_per_pixel"],
+                "material_s": 0, "lights_s": 0, "gather_s": facts["seconds"]["paths"], "rmse": errors["rmse"],
+                "psnr_db": errors["psnr_db"], "ssim": errors["ssim"],
+                "linear_rmse": errors["linear_rmse_relative_to_mean"], "picture": picture}
+
     def median_row(self, *arguments, **options):
         rows = [self.row(*arguments, **options) for _ in range(self.repeats)]
         return sorted(rows, key=lambda row: row["gather_s"])[self.repeats // 2]
@@ -159,15 +173,21 @@ def table_2(renderer, plan, visibility):
         return renderer.median_row("table_2", label, "glossy", plan["big_size"], method, picture,
                                    visibility=visibility, **options)
 
+    def trace(label, hvl):  # it sees what stands between, whatever the lights do
+        return renderer.paths_row("table_2", label, "glossy", plan["big_size"], visibility, seconds_of(hvl),
+                                  f"pictures/figure_{label}_{visibility}.png")
+
     hvl_10 = render("10a", "hvl", lights=400, bands=5)
     yield hvl_10
     yield render("10b", "vpl", lights=400)
     yield render("10c", "vpl", time_budget=seconds_of(hvl_10))
     yield render("10d", "vsl", lights=400, vsl_samples=25)
     yield render("10e", "vsl", time_budget=seconds_of(hvl_10), vsl_samples=9)
+    yield trace("10p", hvl_10)
     hvl_11 = render("11a", "hvl", lights=1500, bands=9)
     yield hvl_11
     yield render("11b", "vpl", time_budget=seconds_of(hvl_11))
+    yield trace("11p", hvl_11)
 
 
 def figure_12(renderer, plan):

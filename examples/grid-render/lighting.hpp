@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include <zonal/grid/coefficient_grid.hpp>
 #include <zonal/grid/interpolation_weights.hpp>
 
 #include "lights.hpp"

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "../basis/bands.hpp"
 #include "functions.hpp"
 #include "recorded_function.hpp"
 
@@ -26,13 +26,20 @@ struct FunctionEntry {
   RecordedFunction (*record)(int bands, int order);
 };
 
-/// An entry of the table, written down with 1 to max_bands bands.
+namespace detail {
+template <class Entry, int... I>
+RecordedFunction record_bands(int bands, int order, std::integer_sequence<int, I...>) {
+  static constexpr RecordedFunction (*of[])(int) = {glsl::record<Entry, 1 + I>...};
+  return of[bands - 1](order);
+}
+}  // namespace detail
+
+/// An entry of the table, written down with 1 to max_bands bands; nothing with others.
 template <class Entry>
 RecordedFunction record_bands(int bands, int order) {
-  RecordedFunction result;
   if constexpr (!Entry::has_bands) return record<Entry, 1>(order);
-  dispatch_bands<1, max_bands>(bands, [&](auto n) { result = record<Entry, n>(order); });
-  return result;
+  if (bands < 1 || bands > max_bands) return {};
+  return detail::record_bands<Entry>(bands, order, std::make_integer_sequence<int, max_bands>{});
 }
 
 /// Appends a list of entries, in its order.

@@ -70,23 +70,26 @@ bool keep_coefficients(RecordedFunction& function, Keep keep) {
 }
 
 /// zonal_<name>_<bands>, and _order_<m> for one pair of orders.
-template <class Entry>
-std::string function_name(int bands, int order) {
-  std::string name = std::string("zonal_") + Entry::name;
-  if (Entry::has_bands) name += "_" + std::to_string(bands);
+inline std::string function_name(const char* entry, bool has_bands, int bands, int order) {
+  std::string name = std::string("zonal_") + entry;
+  if (has_bands) name += "_" + std::to_string(bands);
   if (order != all_orders) name += "_order_" + std::to_string(order);
   return name;
 }
+template <class Entry>
+std::string function_name(int bands, int order) {
+  return function_name(Entry::name, Entry::has_bands, bands, order);
+}
 
-/// An entry of the table (functions.hpp) with N bands, written down.
-template <class Entry, int N>
-RecordedFunction record(int order = all_orders) {
+namespace detail {
+// What the entry's kernel does, written down. Not a template: the table has hundreds of instances.
+inline RecordedFunction record(std::string name, const char* summary, void (*run)(FunctionIo<Recorder>&), int order) {
   RecordedFunction result;
-  result.name = function_name<Entry>(N, order);
-  result.summary = Entry::summary;
+  result.name = std::move(name);
+  result.summary = summary;
   result.recording = std::make_unique<Recording>();
   FunctionIo<Recorder> io([&](const Parameter& parameter) { return result.recording->input(parameter.name); }, order);
-  Entry::template run<N>(io);
+  run(io);
   result.parameters = io.parameters();
   result.outputs = io.outputs();
   result.kept.assign(result.outputs.size(), true);
@@ -99,6 +102,14 @@ RecordedFunction record(int order = all_orders) {
     }
   }
   return result;
+}
+}  // namespace detail
+
+/// An entry of the table (functions.hpp) with N bands, written down.
+template <class Entry, int N>
+RecordedFunction record(int order = all_orders) {
+  return detail::record(function_name<Entry>(N, order), Entry::summary, &Entry::template run<N, FunctionIo<Recorder>>,
+                        order);
 }
 
 }  // namespace glsl

@@ -162,9 +162,8 @@ template <int N, class Weights, int M, class T, class Sink>
 ZONAL_INLINE constexpr void ladder(const Sh<M, T>& y, Sink&& sink) {
   static_assert(Weights::up(N - 1) == 0 ? M >= N - 1 : M > N, "a neighbour is missing");
   unroll<0, N>([&](auto l) ZONAL_INLINE {
-    ladder<l, T, Weights>(
-        DegreeOf<l + 1, T>{y.values}, DegreeOf<l - 1, T>{y.values},
-        [&](auto m, const T& gx, const T& gy, const T& gz) ZONAL_INLINE { sink(l, m, gx, gy, gz); });
+    ladder<l, T, Weights>(DegreeOf<l + 1, T>{y.values}, DegreeOf<l - 1, T>{y.values},
+                          [&](auto m, const T& gx, const T& gy, const T& gz) ZONAL_INLINE { sink(l, m, gx, gy, gz); });
   });
 }
 

@@ -6,6 +6,8 @@
 
 #include <zonal/gather/hvl.hpp>
 
+#include "built_bands.hpp"
+
 namespace zonal_bench {
 
 using zonal::Horizon;
@@ -56,9 +58,9 @@ struct Gather {
 template <class Visit>
 void for_gather_kernels(Visit&& visit) {
   // The bands of HVL Table 1.
-  zonal::unroll<1, 5>([&](auto i) {
-    visit(Gather<2 * i + 1, 3, Horizon::smoothstep>{});
-    visit(Gather<2 * i + 1, 1, Horizon::smoothstep>{});
+  for_bands(Built<Bands<3, 5, 7, 9>, Bands<5>>{}, [&](auto n) {
+    visit(Gather<n, 3, Horizon::smoothstep>{});
+    visit(Gather<n, 1, Horizon::smoothstep>{});
   });
   visit(Gather<5, 3, Horizon::none>{});
   visit(Gather<5, 3, Horizon::exact>{});

@@ -8,6 +8,7 @@
 #include <zonal/grid/add_polygons.hpp>
 
 #include "bench.hpp"
+#include "built_bands.hpp"
 #include "square_light.hpp"
 
 namespace zonal_bench {
@@ -87,7 +88,7 @@ void triangles(benchmark::State& state) {
 
 void register_grid(const Effort& effort) {
   // Wall-clock time: it is that of all threads together.
-  zonal::unroll<5, 10>([&](auto n) {
+  for_bands(Built<Bands<5, 6, 7, 8, 9>, Bands<5>>{}, [&](auto n) {
     register_benchmark("grid-spheres", n, "packet", spheres<n>, effort)->UseRealTime();
     register_benchmark("grid-triangles-as-spheres", n, "packet", triangles_as_spheres<n>, effort)->UseRealTime();
     register_benchmark("grid-triangles", n, "packet", triangles<n>, effort)->UseRealTime();

@@ -23,6 +23,8 @@
 #include <zonal/scalar/unroll.hpp>
 #include <zonal/transform/orient.hpp>
 
+#include "built_bands.hpp"
+
 namespace zonal_bench {
 
 using Random = std::mt19937;
@@ -207,7 +209,7 @@ struct Orient : Lobes {
 /// visit(Kernel<1>{}), ..., visit(Kernel<10>{}): the rows of the table, and as far as the polynomials go.
 template <template <int> class Kernel, class Visit>
 void for_ten_bands(Visit&& visit) {
-  zonal::unroll<1, 11>([&](auto n) { visit(Kernel<n>{}); });
+  for_bands(Built<Bands<1, 2, 3, 4, 5, 6, 7, 8, 9, 10>, Bands<1, 5, 10>>{}, [&](auto n) { visit(Kernel<n>{}); });
 }
 
 template <class Visit>
@@ -228,12 +230,11 @@ void for_orient_kernels(Visit&& visit) {
 }
 
 /// The bands of the gradient paper's Table 1.
-inline constexpr std::array gradient_bands{3, 4, 5, 6, 8, 10};
+using GradientBands = Built<Bands<3, 4, 5, 6, 8, 10>, Bands<3>>;
 
 template <class Visit>
 void for_gradient_kernels(Visit&& visit) {
-  zonal::unroll<0, static_cast<int>(gradient_bands.size())>([&](auto i) {
-    constexpr int n = gradient_bands[std::size_t{i}];
+  for_bands(GradientBands{}, [&](auto n) {
     visit(Gradient<n>{});
     visit(PolynomialGradient<n>{});
     visit(SloanLikeAngular<n>{});

@@ -10,6 +10,11 @@ target_compile_options(zonal_warnings INTERFACE
 target_compile_options(zonal_warnings INTERFACE
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-uninitialized;-Wno-maybe-uninitialized>)
 
+# What more optimisation takes to compile is more than it saves when the tests run. test_built_kernels is at -O3 always.
+if(ZONAL_QUICK AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  set(CMAKE_CXX_FLAGS_RELEASE "-O1 -DNDEBUG")
+endif()
+
 add_library(zonal_native INTERFACE)
 if(ZONAL_NATIVE)
   target_compile_options(zonal_native INTERFACE $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-march=native>)
@@ -20,6 +25,17 @@ function(zonal_own_target target)
   target_link_libraries(${target} PRIVATE zonal::render zonal_warnings zonal_native)
   target_compile_features(${target} PRIVATE cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+endfunction()
+
+# zonal_precompiled(<name> <header> [<option>...]): others' headers, parsed once for all targets of the same options that
+# say target_precompile_headers(<target> REUSE_FROM <name>).
+function(zonal_precompiled name header)
+  set(unit ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+  file(CONFIGURE OUTPUT ${unit} CONTENT "// A precompiled header needs a target, and that a file.\n")
+  add_library(${name} OBJECT ${unit})
+  zonal_own_target(${name})
+  target_compile_options(${name} PRIVATE ${ARGN})
+  target_precompile_headers(${name} PRIVATE ${header})
 endfunction()
 
 # zonal_skip(<TESTS|EXAMPLES> <text>): a package is missing; stop if that part is required, say so otherwise.

@@ -1,10 +1,12 @@
-# Sourced by demo.sh, test.sh, benchmarks.sh and report.sh: installs what is missing, and configures build/release.
+# Sourced by demo.sh, test.sh, benchmarks.sh and report.sh: installs what is missing, and configures build/release, or
+# build/$zonal_preset where that is set.
 #   zonal_setup <ZONAL_REQUIRE_...> <package>...
 #   zonal_jobs, a number: how many compilations may run at once
 # Works on Debian 12 and its like; a second run finds all in place and does nothing.
 
 zonal_root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
-zonal_build="$zonal_root/build/release"
+zonal_preset="${zonal_preset:-release}"
+zonal_build="$zonal_root/build/$zonal_preset"
 zonal_packages=(
   g++ cmake ninja-build libeigen3-dev libglm-dev libembree-dev libtbb-dev libcli11-dev nlohmann-json3-dev
   libtinyobjloader-dev libstb-dev libopenexr-dev
@@ -60,7 +62,7 @@ zonal_setup() {
   fi
   # Later changes to CMakeLists.txt are the build's own business: it configures again by itself.
   if [ ! -f "$zonal_build/build.ninja" ] || ! grep -qx "$require:BOOL=ON" "$cache"; then
-    zonal_say "configuring build/release"
-    (cd "$zonal_root" && cmake --preset release -DZONAL_REQUIRE_EXAMPLES=ON "-D$require=ON")
+    zonal_say "configuring build/$zonal_preset"
+    (cd "$zonal_root" && cmake --preset "$zonal_preset" -DZONAL_REQUIRE_EXAMPLES=ON "-D$require=ON")
   fi
 }

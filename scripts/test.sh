@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Builds everything and runs every test; installs what it needs. Further arguments go to ctest.
+# Builds everything and runs every test, in build/test; installs what it needs. Further arguments go to ctest.
 set -euo pipefail
+zonal_preset=test
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 zonal_setup ZONAL_REQUIRE_TESTS "${zonal_test_packages[@]}"

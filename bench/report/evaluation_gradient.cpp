@@ -3,8 +3,7 @@
 
 void zonal_report::print_gradient(Effort effort) {
   KernelTable table("gradient", effort);
-  zonal::unroll<0, static_cast<int>(zonal_bench::gradient_bands.size())>([&](auto i) {
-    constexpr int n = zonal_bench::gradient_bands[std::size_t{i}];
+  zonal_bench::for_bands(zonal_bench::GradientBands{}, [&](auto n) {
     table.add<zonal_bench::Gradient<n>>();
     table.add<zonal_bench::PolynomialGradient<n>>();
     table.add<zonal_bench::SloanLike<n>>();

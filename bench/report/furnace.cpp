@@ -11,6 +11,7 @@
 #include <zonal/gather/vsgl.hpp>
 #include <zonal/gather/vsl.hpp>
 
+#include "../built_bands.hpp"
 #include "gather/furnace.hpp"
 #include "materials.hpp"
 #include "report.hpp"
@@ -54,8 +55,7 @@ class Furnace {
     print("vpl clamped at 1 r", 0, [&](const Receiver& r) { return zonal::gather_vpl(cache_, r, brdf, 1); });
     print("vsl of 16 samples", 0, [&](const Receiver& r) { return zonal::gather_vsl(cache_, r, brdf, 16, uniform); });
     print("vsgl", 0, [&](const Receiver& r) { return zonal::gather_vsgl(gaussians_, r, brdf); });
-    zonal::unroll<0, int(std::size(all_bands))>([&](auto i) {
-      constexpr int n = all_bands[int{i}];
+    zonal_bench::for_bands(FurnaceBands{}, [&](auto n) {
       print("hvl", n, [&](const Receiver& r) { return zonal::gather<n>(harmonics_, r, material.table); });
       print("hvl-zonal", n,
             [&](const Receiver& r) { return zonal::gather_hvl_zonal<n>(cache_, r, material.zonal_table); });
@@ -63,7 +63,7 @@ class Furnace {
   }
 
  private:
-  static constexpr int all_bands[] = {1, 2, 3, 4, 5, 7, 9, 11, 15, 21};
+  using FurnaceBands = zonal_bench::Built<zonal_bench::Bands<1, 2, 3, 4, 5, 7, 9, 11, 15, 21>, zonal_bench::Bands<2, 5>>;
 
   std::vector<zonal::VirtualLight> lights_;
   zonal::LightCache cache_;

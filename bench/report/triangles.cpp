@@ -156,9 +156,8 @@ void add_lines(Effort effort, std::vector<Line>& lines) {
 
 void print_triangles(Effort effort) {
   std::vector<Line> lines;
-  add_lines<3>(effort, lines);
-  add_lines<5>(effort, lines);
-  add_lines<9>(effort, lines);
+  using zonal_bench::Bands;
+  zonal_bench::for_bands(zonal_bench::Built<Bands<3, 5, 9>, Bands<3>>{}, [&](auto n) { add_lines<n>(effort, lines); });
   std::vector<Body> bodies;
   for (const Line& line : lines) bodies.push_back(line.body);
   const auto seconds = median_seconds(bodies, repetitions(effort));

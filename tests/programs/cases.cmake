@@ -70,5 +70,6 @@ function(example_test source)
   target_link_libraries(test_${name} PRIVATE ${program}-parts
     $<IF:$<TARGET_EXISTS:test_main>,test_main,Catch2::Catch2WithMain>)
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR}/examples)
+  target_precompile_headers(test_${name} REUSE_FROM test_precompiled)
   catch_discover_tests(test_${name} TEST_PREFIX "${program}: " PROPERTIES TIMEOUT 120)
 endfunction()

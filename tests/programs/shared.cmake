@@ -10,4 +10,5 @@ zonal_own_target(test_shared)
 target_link_libraries(test_shared PRIVATE example-shared OpenEXR::OpenEXR
   $<IF:$<TARGET_EXISTS:test_main>,test_main,Catch2::Catch2WithMain>)
 target_include_directories(test_shared PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+target_precompile_headers(test_shared REUSE_FROM test_precompiled)
 catch_discover_tests(test_shared TEST_PREFIX "programs: " PROPERTIES TIMEOUT 120)

@@ -34,6 +34,9 @@ std::unique_ptr<Gatherer> make_hvl(const GatherInput& input) {
       if constexpr (contains(compiled_bands, N) && contains(compiled_emission_bands, NE)) {
         const auto gather = [&tables = input.materials](const auto& cache, const zonal::Receiver& receiver,
                                                         auto material, std::size_t, const zonal::Visibility& visible) {
+          if (const auto& anisotropic = tables.anisotropic[material]) {
+            return zonal::gather<N, NE, H>(cache, receiver, *anisotropic, visible);
+          }
           return zonal::gather<N, NE, H>(cache, receiver, tables.receiving[material], visible);
         };
         gatherer = make_cached(input, zonal::HvlCache<NE>(lit(input.map)), gather);

@@ -18,6 +18,7 @@ struct Hit {
   glm::vec3 normal;            // unit, interpolated, less than a right angle from the way back
   float distance;              // metres
   std::uint32_t material;
+  glm::vec3 tangent{0.0f};  // of an anisotropic surface: along its texture's u; without one, horizontal
 };
 
 /// Visibility in a scene, by Embree. The scene must outlive it. Safe to use from many threads.

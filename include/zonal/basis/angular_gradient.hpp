@@ -29,16 +29,22 @@ using zonal::detail::legendre_column;
 // derivative.
 template <int N, int m, class T, class Sink>
 ZONAL_INLINE constexpr void legendre_column_with_slope(const T& cosine, const T& sine, Sink&& sink) {
-  constexpr auto& table = basis_table<N>;
   const T cosine2 = cosine * cosine, sine_cosine = sine * cosine;
   T before = T(0), last = T(0), slope_before = T(0), slope_last = T(0);
   legendre_column<N, m>(cosine, cosine2, [&](auto l, const T& q) ZONAL_INLINE {
     T slope = T(0);
-    if constexpr (l == m + 1) slope = -(T(table.linear[m]) * sine);
-    if constexpr (l == m + 2) slope = T(-2 * table.square[m][1]) * sine_cosine;
-    if constexpr (l == m + 3) slope = -sine * (T(3 * table.cube[m][1]) * cosine2 + T(table.cube[m][0]));
-    if constexpr (l > m + 3) {
-      slope = T(table.raise[l][m]) * (cosine * slope_last - sine * last) - T(table.lower[l][m]) * slope_before;
+    if constexpr (l == m + 1) {
+      constexpr auto linear = rounded<T>(basis_table<N>.linear[m]);
+      slope = -(T(linear) * sine);
+    } else if constexpr (l == m + 2) {
+      constexpr auto square = rounded<T>(-2 * basis_table<N>.square[m][1]);
+      slope = T(square) * sine_cosine;
+    } else if constexpr (l == m + 3) {
+      constexpr auto cube = rounded<T>(3 * basis_table<N>.cube[m][1]), linear = rounded<T>(basis_table<N>.cube[m][0]);
+      slope = -sine * (T(cube) * cosine2 + T(linear));
+    } else if constexpr (l > m + 3) {
+      constexpr auto raise = rounded<T>(basis_table<N>.raise[l][m]), lower = rounded<T>(basis_table<N>.lower[l][m]);
+      slope = T(raise) * (cosine * slope_last - sine * last) - T(lower) * slope_before;
     }
     sink(l, q, slope);
     before = last, last = q;

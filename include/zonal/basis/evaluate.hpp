@@ -23,31 +23,47 @@ namespace detail {
 // q_l^m(z) for l = m .. N-1, handed to sink(l, q). See table.hpp.
 template <int N, int m, class T, class Sink>
 ZONAL_INLINE constexpr void legendre_column(const T& z, const T& z2, Sink&& sink) {
-  constexpr auto& table = basis_table<N>;
-  sink(Index<m>{}, T(table.diagonal[m]));
+  static_assert(!std::is_integral_v<T>, "a direction of integers: it has to be of floating-point numbers");
+  constexpr auto diagonal = rounded<T>(basis_table<N>.diagonal[m]);
+  sink(Index<m>{}, T(diagonal));
   T below = T(0), last = T(0);
-  if constexpr (m + 1 < N) sink(Index<m + 1>{}, T(table.linear[m]) * z);
+  if constexpr (m + 1 < N) {
+    constexpr auto linear = rounded<T>(basis_table<N>.linear[m]);
+    sink(Index<m + 1>{}, T(linear) * z);
+  }
   if constexpr (m + 2 < N) {
-    below = T(table.square[m][1]) * z2 + T(table.square[m][0]);
+    constexpr auto square = rounded<T>(basis_table<N>.square[m][1]), constant = rounded<T>(basis_table<N>.square[m][0]);
+    below = T(square) * z2 + T(constant);
     sink(Index<m + 2>{}, below);
   }
   if constexpr (m + 3 < N) {
-    last = z * (T(table.cube[m][1]) * z2 + T(table.cube[m][0]));
+    constexpr auto cube = rounded<T>(basis_table<N>.cube[m][1]), linear = rounded<T>(basis_table<N>.cube[m][0]);
+    last = z * (T(cube) * z2 + T(linear));
     sink(Index<m + 3>{}, last);
   }
   unroll<m + 4, N>([&](auto l) ZONAL_INLINE {
-    const T next = T(basis_table<N>.raise[l][m]) * z * last - T(basis_table<N>.lower[l][m]) * below;
+    constexpr auto raise = rounded<T>(basis_table<N>.raise[l][m]), lower = rounded<T>(basis_table<N>.lower[l][m]);
+    const T next = T(raise) * z * last - T(lower) * below;
     below = last;
     last = next;
     sink(l, next);
   });
 }
 
-// A direction far from unit length is a mistake of the caller; a rounded one is not.
+// A direction far from unit length is a mistake of the caller; a rounded one is not. For assertions.
 template <class T>
 constexpr bool is_unit(const T& x, const T& y, const T& z) {
   if constexpr (is_builtin_scalar_v<T>) {
     return abs(x * x + y * y + z * z - T(1)) < T(1e-3L);
+  } else {
+    return true;
+  }
+}
+// The same for the part of one in a plane, or along an axis.
+template <class T>
+constexpr bool is_part_of_unit(const T& x, const T& z) {
+  if constexpr (is_builtin_scalar_v<T>) {
+    return x * x + z * z - T(1) < T(1e-3L);
   } else {
     return true;
   }
@@ -59,6 +75,7 @@ constexpr bool is_unit(const T& x, const T& y, const T& z) {
 template <int N, class T, class Sink>
 ZONAL_INLINE constexpr void evaluate(const T& x, const T& y, const T& z, Sink&& sink) {
   static_assert(N >= 1, "bands out of range: N >= 1");
+  assert(detail::is_unit<T>(x, y, z));
   const T z2 = z * z;
   detail::legendre_column<N, 0>(z, z2, [&](auto l, const T& q) ZONAL_INLINE { sink(l, Index<0>{}, q); });
 
@@ -80,6 +97,7 @@ ZONAL_INLINE constexpr void evaluate(const T& x, const T& y, const T& z, Sink&& 
 template <int N, class T, class Sink>
 ZONAL_INLINE constexpr void evaluate_even(const T& x, const T& z, Sink&& sink) {
   static_assert(N >= 1, "bands out of range: N >= 1");
+  assert(detail::is_part_of_unit<T>(x, z));
   const T z2 = z * z;
   detail::legendre_column<N, 0>(z, z2, [&](auto l, const T& q) ZONAL_INLINE { sink(l, Index<0>{}, q); });
 
@@ -100,6 +118,7 @@ ZONAL_INLINE constexpr void evaluate_even(const T& x, const T& z, Sink&& sink) {
 template <int N, class T, class Sink>
 ZONAL_INLINE constexpr void evaluate_zonal(const T& cos_angle, Sink&& sink) {
   static_assert(N >= 1, "bands out of range: N >= 1");
+  assert(detail::is_part_of_unit<T>(cos_angle, T(0)));
   detail::legendre_column<N, 0>(cos_angle, cos_angle * cos_angle, sink);
 }
 
@@ -116,10 +135,9 @@ ZONAL_INLINE constexpr void evaluate_into(Sh<N, T>& sh, const T& x, const T& y, 
 
 /// N*N values in the order l(l+1)+m at a unit vector: anything with v[0], v[1], v[2].
 template <int N, class Direction>
-constexpr Sh<N, component_t<Direction>> evaluate(const Direction& direction) {
+ZONAL_DEVICE constexpr Sh<N, component_t<Direction>> evaluate(const Direction& direction) {
   using T = component_t<Direction>;
   static_assert(N >= 1, "bands out of range: N >= 1");
-  assert(detail::is_unit<T>(direction[0], direction[1], direction[2]));
   Sh<N, T> sh;
   detail::evaluate_into(sh, T(direction[0]), T(direction[1]), T(direction[2]));
   return sh;
@@ -127,7 +145,7 @@ constexpr Sh<N, component_t<Direction>> evaluate(const Direction& direction) {
 
 /// N(N+1)/2 values in the order l(l+1)/2+m, from the x and z of a unit vector.
 template <int N, class T>
-constexpr EvenSh<N, T> evaluate_even(const T& x, const T& z) {
+ZONAL_DEVICE constexpr EvenSh<N, T> evaluate_even(const T& x, const T& z) {
   EvenSh<N, T> sh;
   evaluate_even<N>(x, z, [&](auto l, auto m, const T& value) ZONAL_INLINE { sh.values[even_index(l, m)] = value; });
   return sh;
@@ -135,7 +153,7 @@ constexpr EvenSh<N, T> evaluate_even(const T& x, const T& z) {
 
 /// The N values Y_l^0.
 template <int N, class T>
-constexpr Zh<N, T> evaluate_zonal(const T& cos_angle) {
+ZONAL_DEVICE constexpr Zh<N, T> evaluate_zonal(const T& cos_angle) {
   Zh<N, T> zh;
   evaluate_zonal<N>(cos_angle, [&](auto l, const T& value) ZONAL_INLINE { zh.values[l] = value; });
   return zh;

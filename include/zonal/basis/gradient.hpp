@@ -30,7 +30,7 @@ struct ShHessian {
 
 /// Y_l^m and the gradient of Y_l^m(v/|v|) at the unit vector v = (x, y, z): sink(l, m, value, d/dx, d/dy, d/dz).
 template <int N, class T, class Sink>
-ZONAL_INLINE constexpr void evaluate_with_gradient(const T& x, const T& y, const T& z, Sink&& sink) {
+ZONAL_DEVICE ZONAL_INLINE constexpr void evaluate_with_gradient(const T& x, const T& y, const T& z, Sink&& sink) {
   static_assert(N >= 1, "bands out of range: N >= 1");
   Sh<N, T> basis;
   detail::evaluate_into(basis, x, y, z);
@@ -62,10 +62,9 @@ ZONAL_INLINE constexpr auto into(ShGradient<N, T>& arrays) {
 
 /// The same as arrays, at anything with v[0], v[1], v[2].
 template <int N, class Direction>
-ShGradient<N, component_t<Direction>> evaluate_with_gradient(const Direction& direction) {
+ZONAL_DEVICE ShGradient<N, component_t<Direction>> evaluate_with_gradient(const Direction& direction) {
   using T = component_t<Direction>;
   const T x = direction[0], y = direction[1], z = direction[2];
-  assert(detail::is_unit<T>(x, y, z));
   ShGradient<N, T> result;
   if constexpr (is_builtin_scalar_v<T> && N >= detail::least_bands_in_rows) {
     detail::gradient_in_rows<N>(x, y, z, result.value, result.gradient);
@@ -75,39 +74,67 @@ ShGradient<N, component_t<Direction>> evaluate_with_gradient(const Direction& di
   return result;
 }
 
-/// Value, gradient and Hessian of Y_l^m(v/|v|) at the unit vector v.
-template <int N, class Direction>
-ShHessian<N, component_t<Direction>> evaluate_with_hessian(const Direction& direction) {
-  using T = component_t<Direction>;
-  static_assert(N >= 1, "bands out of range: N >= 1");
-  assert(detail::is_unit<T>(direction[0], direction[1], direction[2]));
+namespace detail {
+// The gradient of Y(v/|v|) is a sum of harmonics over |v|, so its own needs the gradients of these.
+template <int N, class T>
+ZONAL_DEVICE ShHessian<N, T> hessian_unrolled(const T& x, const T& y, const T& z) {
   Sh<N + 2, T> basis;
-  detail::evaluate_into(basis, T(direction[0]), T(direction[1]), T(direction[2]));
-
-  // The gradient of Y(v/|v|) is a sum of harmonics over |v|, so its own needs the gradients of these.
+  evaluate_into(basis, x, y, z);
   Sh<N + 1, T> slopes[3];
-  detail::ladder<N + 1, detail::InverseDistanceWeights>(
-      basis, [&](auto l, auto m, const T& gx, const T& gy, const T& gz) ZONAL_INLINE {
-        const int i = sh_index(l, m);
-        slopes[0].values[i] = gx, slopes[1].values[i] = gy, slopes[2].values[i] = gz;
-      });
+  ladder<N + 1, InverseDistanceWeights>(basis, [&](auto l, auto m, const T& gx, const T& gy, const T& gz) ZONAL_INLINE {
+    constexpr int i = sh_index(l, m);
+    slopes[0].values[i] = gx, slopes[1].values[i] = gy, slopes[2].values[i] = gz;
+  });
 
   ShHessian<N, T> result;
   for (int i = 0; i < N * N; ++i) result.value.values[i] = basis.values[i];
-  const auto put = [&](const auto& values, Sh<N, T>* x, Sh<N, T>* y, Sh<N, T>* z) ZONAL_INLINE {
-    detail::ladder<N, detail::AngularWeights>(values,
-                                              [&](auto l, auto m, const T& gx, const T& gy, const T& gz) ZONAL_INLINE {
-                                                const int i = sh_index(l, m);
-                                                if (x) x->values[i] = gx;
-                                                if (y) y->values[i] = gy;
-                                                if (z) z->values[i] = gz;
-                                              });
+  const auto put = [&](const auto& values, Sh<N, T>* by_x, Sh<N, T>* by_y, Sh<N, T>* by_z) ZONAL_INLINE {
+    ladder<N, AngularWeights>(values, [&](auto l, auto m, const T& gx, const T& gy, const T& gz) ZONAL_INLINE {
+      constexpr int i = sh_index(l, m);
+      if (by_x) by_x->values[i] = gx;
+      if (by_y) by_y->values[i] = gy;
+      if (by_z) by_z->values[i] = gz;
+    });
   };
   put(basis, &result.gradient[0], &result.gradient[1], &result.gradient[2]);
   put(slopes[0], &result.hessian[0], nullptr, nullptr);
   put(slopes[1], &result.hessian[1], &result.hessian[3], nullptr);
   put(slopes[2], &result.hessian[2], &result.hessian[4], &result.hessian[5]);
   return result;
+}
+
+// The same in loops: as fast from 8 bands on, where the other takes a compiler long, a minute and more for 21 bands.
+template <int N, class T>
+ShHessian<N, T> hessian_in_rows(const T& x, const T& y, const T& z) {
+  PaddedRows<N + 2, T> basis;
+  PaddedRows<N + 1, T> slopes[3];
+  evaluate<N + 2>(x, y, z,
+                  [&](auto l, auto m, const T& value) ZONAL_INLINE { basis.values()[sh_index(l, m)] = value; });
+  ladder_in_rows<N + 1, InverseDistanceWeights>(basis, slopes[0].values(), slopes[1].values(), slopes[2].values());
+
+  ShHessian<N, T> result;
+  for (int i = 0; i < N * N; ++i) result.value.values[i] = basis.values()[i];
+  T* none = nullptr;
+  auto& gradient = result.gradient;
+  auto& hessian = result.hessian;
+  ladder_in_rows<N, AngularWeights>(basis, gradient[0].values, gradient[1].values, gradient[2].values);
+  ladder_in_rows<N, AngularWeights>(slopes[0], hessian[0].values, none, none);
+  ladder_in_rows<N, AngularWeights>(slopes[1], hessian[1].values, hessian[3].values, none);
+  ladder_in_rows<N, AngularWeights>(slopes[2], hessian[2].values, hessian[4].values, hessian[5].values);
+  return result;
+}
+}  // namespace detail
+
+/// Value, gradient and Hessian of Y_l^m(v/|v|) at the unit vector v.
+template <int N, class Direction>
+ZONAL_DEVICE ShHessian<N, component_t<Direction>> evaluate_with_hessian(const Direction& direction) {
+  using T = component_t<Direction>;
+  static_assert(N >= 1, "bands out of range: N >= 1");
+  if constexpr (N >= detail::least_hessian_in_rows) {
+    return detail::hessian_in_rows<N, T>(direction[0], direction[1], direction[2]);
+  } else {
+    return detail::hessian_unrolled<N, T>(direction[0], direction[1], direction[2]);
+  }
 }
 
 }  // namespace ZONAL_TARGET

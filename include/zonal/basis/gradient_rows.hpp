@@ -1,4 +1,4 @@
-// The gradient of the basis at a single direction, a degree at a time.
+// The gradient of the basis at a single direction, a degree at a time, and the ladder's steps for any scalar.
 //
 // One direction fills one lane of a packet. But the coefficients of a degree lie side by side, and those of its
 // neighbours too, each at a fixed offset: written as loops over them, with the constants of the ladder in tables of the
@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 
 #include "evaluate.hpp"
 #include "ladder.hpp"
@@ -15,37 +16,47 @@ namespace zonal {
 inline namespace ZONAL_TARGET {
 namespace detail {
 
-// Below, the loops are too short.
+// With fewer bands the loops are too short. On a graphics processor the tables are out of reach.
+#if defined(__CUDA_ARCH__)
+inline constexpr int least_bands_in_rows = (std::numeric_limits<int>::max)();
+inline constexpr int least_hessian_in_rows = least_bands_in_rows;
+#else
 inline constexpr int least_bands_in_rows = 5;
+inline constexpr int least_hessian_in_rows = 8;
+#endif
 // Loops run on to a multiple of this, into the next degree, which overwrites it.
 inline constexpr int row_step = 8;
 
-// (2l+1) D_k of Y_l^m, m of either sign, as two terms for k = x and y, one for z. With Y = Y_(l-1), R^m = Y^-m:
+// The weighted step from degree l to a neighbour, one degree up or down, for m of either sign: two terms for x and y, one
+// for z. With Y of the neighbour's degree, R^m = Y^-m:
 //   x: x_plus Y^(m+1) + x_minus Y^(m-1)    y: y_plus R^(m+1) + y_minus R^(m-1)    z: same Y^m
-template <int N, class T>
-struct StepDownRows {
+template <int N, class T, class Weights, bool is_up>
+struct StepRows {
   static constexpr auto size = static_cast<std::size_t>(N * N + row_step);
-  T x_plus[size] = {}, x_minus[size] = {}, y_plus[size] = {}, y_minus[size] = {}, same[size] = {};
+  constant_t<T> x_plus[size] = {}, x_minus[size] = {}, y_plus[size] = {}, y_minus[size] = {}, same[size] = {};
 
-  constexpr StepDownRows() {
-    for (int l = 1; l < N; ++l) {
+  constexpr StepRows() {
+    for (int l = 0; l < N; ++l) {
+      const int weight = is_up ? Weights::up(l) : Weights::down(l);
+      if (weight == 0 || (l == 0 && !is_up)) continue;
       for (int m = 0; m <= l; ++m) {
-        const long double weight = SolidWeights::down(l);
-        const T raise = T(weight * raise_down(l, m)), lower = T(m > 0 ? weight * lower_down(l, m) : 0);
+        const auto keep = rounded<T>(weight * (is_up ? keep_up(l, m) : keep_down(l, m)));
+        const auto raise = rounded<T>(weight * (is_up ? raise_up(l, m) : raise_down(l, m)));
+        const auto lower = rounded<T>(m == 0 ? 0 : weight * (is_up ? lower_up(l, m) : lower_down(l, m)));
         const int c = sh_index(l, m), s = sh_index(l, -m);
         x_plus[c] = raise, x_minus[c] = lower;
-        y_plus[c] = raise, y_minus[c] = m > 1 ? -lower : T(0);  // sin(0 phi) is no harmonic
-        same[c] = same[s] = T(weight * keep_down(l, m));
+        y_plus[c] = raise, y_minus[c] = m > 1 ? -lower : 0;  // sin(0 phi) is no harmonic
+        same[c] = same[s] = keep;
         if (m > 0) {
-          x_minus[s] = raise, x_plus[s] = m > 1 ? lower : T(0);
+          x_minus[s] = raise, x_plus[s] = m > 1 ? lower : 0;
           y_minus[s] = -raise, y_plus[s] = lower;
         }
       }
     }
   }
 };
-template <int N, class T>
-inline constexpr StepDownRows<N, T> step_down_rows{};
+template <int N, class T, class Weights, bool is_up>
+inline constexpr StepRows<N, T, Weights, is_up> step_rows{};
 
 // Basis values with room around them: loops read a little before the first and beyond the last, with the weight 0.
 template <int N, class T>
@@ -56,11 +67,12 @@ struct PaddedRows {
     for (int i = 0; i < row_step; ++i) storage[i] = storage[N * N + row_step + i] = T(0);
   }
   T* values() { return storage + row_step; }
+  const T* values() const { return storage + row_step; }
 };
 
 template <int N, class T>
 void gradient_in_rows(const T& x, const T& y, const T& z, Sh<N, T>& value, Sh<N, T> (&gradient)[3]) {
-  constexpr auto& table = step_down_rows<N, T>;
+  constexpr auto& table = step_rows<N, T, SolidWeights, false>;
   PaddedRows<N, T> basis_rows, mirrored_rows;
   T* const basis = basis_rows.values();
   T* const mirrored = mirrored_rows.values();
@@ -85,6 +97,33 @@ void gradient_in_rows(const T& x, const T& y, const T& z, Sh<N, T>& value, Sh<N,
     for (int i = first; i < end; ++i) by_z[i] = table.same[i] * basis[i - down] - lz * basis[i];
   });
   for (int i = 0; i < N * N; ++i) value.values[i] = basis[i];
+}
+
+// The gradients of N degrees from the values of their neighbours, to where x, y and z lead; null where one is not asked
+// for.
+template <int N, class Weights, int M, class T>
+void ladder_in_rows(const PaddedRows<M, T>& rows, T* x, T* y, T* z) {
+  static_assert(M > N, "a neighbour is missing");
+  constexpr auto& up = step_rows<N, T, Weights, true>;
+  constexpr auto& down = step_rows<N, T, Weights, false>;
+  const T* values = rows.values();
+  for (int l = 0; l < N; ++l) {
+    const int centre = sh_index(l, 0), above = sh_index(l + 1, 0), below = l * (l - 1);
+    for (int m = -l; x && m <= l; ++m) {
+      const int i = centre + m;
+      x[i] = (T(up.x_plus[i]) * values[above + m + 1] + T(up.x_minus[i]) * values[above + m - 1]) +
+             (T(down.x_plus[i]) * values[below + m + 1] + T(down.x_minus[i]) * values[below + m - 1]);
+    }
+    for (int m = -l; y && m <= l; ++m) {
+      const int i = centre + m;
+      y[i] = (T(up.y_plus[i]) * values[above - m - 1] + T(up.y_minus[i]) * values[above - m + 1]) +
+             (T(down.y_plus[i]) * values[below - m - 1] + T(down.y_minus[i]) * values[below - m + 1]);
+    }
+    for (int m = -l; z && m <= l; ++m) {
+      const int i = centre + m;
+      z[i] = T(up.same[i]) * values[above + m] + T(down.same[i]) * values[below + m];
+    }
+  }
 }
 
 }  // namespace detail

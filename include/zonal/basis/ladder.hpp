@@ -48,22 +48,33 @@ constexpr long double lower_down(int l, int m) {
   return -ladder_half(m == 1) * ladder_root(l + m, l + m - 1, 2 * l - 1, 2 * l + 1);
 }
 
+// The three by name: the factors of the steps from degree l to the neighbours, at an order m >= 0.
+enum class Rung { keep, raise, lower };
+template <Rung rung, int l, int m>
+inline constexpr long double rung_up = rung == Rung::keep    ? keep_up(l, m)
+                                       : rung == Rung::raise ? raise_up(l, m)
+                                                             : lower_up(l, m);
+template <Rung rung, int l, int m>
+inline constexpr long double rung_down = rung == Rung::keep    ? keep_down(l, m)
+                                         : rung == Rung::raise ? raise_down(l, m)
+                                                               : lower_down(l, m);
+
 // The weights of the two steps where they are known at compile time.
 struct UnitWeights {  // the two terms as they come: weighted before, or after
-  static constexpr long double up(int) { return 1; }
-  static constexpr long double down(int) { return 1; }
+  static constexpr int up(int) { return 1; }
+  static constexpr int down(int) { return 1; }
 };
 struct AngularWeights {  // f = 1
-  static constexpr long double up(int l) { return -l; }
-  static constexpr long double down(int l) { return l + 1; }
+  static constexpr int up(int l) { return -l; }
+  static constexpr int down(int l) { return l + 1; }
 };
 struct InverseDistanceWeights {  // f = 1/d
-  static constexpr long double up(int l) { return -(l + 1); }
-  static constexpr long double down(int l) { return l; }
+  static constexpr int up(int l) { return -(l + 1); }
+  static constexpr int down(int l) { return l; }
 };
 struct SolidWeights {  // f = d^l, a polynomial
-  static constexpr long double up(int) { return 0; }
-  static constexpr long double down(int l) { return 2 * l + 1; }
+  static constexpr int up(int) { return 0; }
+  static constexpr int down(int l) { return 2 * l + 1; }
 };
 
 // A term that is not there, and costs nothing.
@@ -92,17 +103,19 @@ struct NoTerm {
   }
 };
 
-// up * above(m) + down * below(m): the step from degree l to its neighbours, at order m; T(up(l) * above_factor) ...
-template <int l, int m, class T, class Weights, class Above, class Below>
-ZONAL_INLINE constexpr auto step(long double above_factor, long double below_factor, Above&& above, Below&& below) {
-  constexpr bool has_above = Weights::up(l) != 0, has_below = Weights::down(l) != 0 && m < l && -l < m;
+// The step of the harmonic (l, +-m) to the neighbours' order `order`: up * above(order) + down * below(order).
+template <Rung rung, int l, int m, int order, class T, class Weights, class Above, class Below>
+ZONAL_INLINE constexpr auto step(Above&& above, Below&& below) {
+  constexpr bool has_above = Weights::up(l) != 0, has_below = Weights::down(l) != 0 && order < l && -l < order;
+  constexpr auto up = rounded<T>(Weights::up(l) * rung_up<rung, l, m>);
   if constexpr (has_above && has_below) {
-    return T(Weights::up(l) * above_factor) * above(Index<m>{}) +
-           T(Weights::down(l) * below_factor) * below(Index<m>{});
+    constexpr auto down = rounded<T>(Weights::down(l) * rung_down<rung, l, m>);
+    return T(up) * above(Index<order>{}) + T(down) * below(Index<order>{});
   } else if constexpr (has_above) {
-    return T(Weights::up(l) * above_factor) * above(Index<m>{});
+    return T(up) * above(Index<order>{});
   } else if constexpr (has_below) {
-    return T(Weights::down(l) * below_factor) * below(Index<m>{});
+    constexpr auto down = rounded<T>(Weights::down(l) * rung_down<rung, l, m>);
+    return T(down) * below(Index<order>{});
   } else {
     return NoTerm{};
   }
@@ -113,15 +126,12 @@ ZONAL_INLINE constexpr auto step(long double above_factor, long double below_fac
 template <int l, class T, class Weights, class Above, class Below, class Sink>
 ZONAL_INLINE constexpr void ladder(Above&& above, Below&& below, Sink&& sink) {
   unroll<0, l + 1>([&](auto m) ZONAL_INLINE {
-    const auto keep = [&](auto order) ZONAL_INLINE {
-      return step<l, order, T, Weights>(keep_up(l, m), keep_down(l, m), above, below);
-    };
-    const auto raise = [&](auto order) ZONAL_INLINE {
-      return step<l, order, T, Weights>(raise_up(l, m), raise_down(l, m), above, below);
-    };
-    const auto lower = [&](auto order) ZONAL_INLINE {
-      return step<l, order, T, Weights>(lower_up(l, m), lower_down(l, m), above, below);
-    };
+    const auto keep = [&](auto order)
+                          ZONAL_INLINE { return step<Rung::keep, l, m, order, T, Weights>(above, below); };
+    const auto raise = [&](auto order)
+                           ZONAL_INLINE { return step<Rung::raise, l, m, order, T, Weights>(above, below); };
+    const auto lower = [&](auto order)
+                           ZONAL_INLINE { return step<Rung::lower, l, m, order, T, Weights>(above, below); };
     const auto raise_c = raise(Index<m + 1>{}), raise_s = raise(Index<-m - 1>{});
     if constexpr (m == 0) {
       sink(Index<0>{}, T(raise_c), T(raise_s), T(keep(Index<0>{})));

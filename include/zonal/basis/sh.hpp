@@ -1,6 +1,7 @@
 // Coefficients: Sh (all of a band-limited function), EvenSh (even in phi), Zh (symmetric about the axis).
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 
 #include "../scalar/target.hpp"
@@ -22,8 +23,14 @@ struct Coefficients {
   T values[static_cast<std::size_t>(Size)];
 
   static constexpr int size() { return Size; }
-  constexpr T& operator[](int i) { return values[i]; }
-  constexpr const T& operator[](int i) const { return values[i]; }
+  constexpr T& operator[](int i) {
+    assert(0 <= i && i < Size);
+    return values[i];
+  }
+  constexpr const T& operator[](int i) const {
+    assert(0 <= i && i < Size);
+    return values[i];
+  }
   constexpr T* begin() { return values; }
   constexpr T* end() { return values + Size; }
   constexpr const T* begin() const { return values; }
@@ -50,13 +57,17 @@ struct Coefficients {
 };
 }  // namespace detail
 
-/// N bands (degrees 0 to N-1), N*N coefficients in the order l(l+1)+m: sh[i], sh(l, m) or get<l, m>(sh).
-/// T is any scalar, or a colour (anything with + and *). Trivially copyable when T is.
+/// N bands (degrees 0 to N-1), N*N coefficients in the order l(l+1)+m: sh[i], sh(l, m) (both asserted in debug builds)
+/// or get<l, m>(sh). T is any scalar, or a colour: anything with + and *, such as glm::vec3 or Eigen::Vector3f. Sh{} holds
+/// what T{} is: zeros for built-in scalars and GLM, nothing in particular for Eigen. Trivially copyable when T is.
 template <int N, class T>
 struct Sh : detail::Coefficients<Sh<N, T>, N * N, T> {
   static_assert(N >= 1, "an Sh has at least one band");
   static constexpr int bands = N;
-  static constexpr int index(int l, int m) { return sh_index(l, m); }
+  static constexpr int index(int l, int m) {
+    assert(0 <= l && l < N && -l <= m && m <= l);
+    return sh_index(l, m);
+  }
   constexpr T& operator()(int l, int m) { return this->values[index(l, m)]; }
   constexpr const T& operator()(int l, int m) const { return this->values[index(l, m)]; }
 };
@@ -67,7 +78,10 @@ template <int N, class T>
 struct EvenSh : detail::Coefficients<EvenSh<N, T>, N*(N + 1) / 2, T> {
   static_assert(N >= 1, "an EvenSh has at least one band");
   static constexpr int bands = N;
-  static constexpr int index(int l, int m) { return even_index(l, m); }
+  static constexpr int index(int l, int m) {
+    assert(0 <= l && l < N && 0 <= m && m <= l);
+    return even_index(l, m);
+  }
   constexpr T& operator()(int l, int m) { return this->values[index(l, m)]; }
   constexpr const T& operator()(int l, int m) const { return this->values[index(l, m)]; }
 };

@@ -243,10 +243,9 @@ struct ReconstructLambert : Function {
   static constexpr const char* summary = "Radiance convolved with the clamped cosine: irradiance over pi at a normal.";
   template <int N, class Io>
   static void run(Io& io) {
-    using T = typename Io::Scalar;
     const auto radiance = detail::take_sh<N>(io, "radiance");
     const auto normal = io.vector("normal", Domain::unit_vector);
-    io.output("value", 0)[0] = reconstruct_convolved(radiance, project<N, T>(LambertLobe{}), normal);
+    io.output("value", 0)[0] = reconstruct_convolved(radiance, LambertLobe{}, normal);
   }
 };
 

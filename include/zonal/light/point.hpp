@@ -67,11 +67,11 @@ struct DirectionalLight {
 };
 
 template <int N, class T>
-Sh<N, T> project(const DirectionalLight<T>& light, const glm::vec<3, T>&) {
+ZONAL_DEVICE Sh<N, T> project(const DirectionalLight<T>& light, const glm::vec<3, T>&) {
   return evaluate<N>(light.direction);
 }
 template <int N, class T>
-ShGradient<N, T> project_with_gradient(const DirectionalLight<T>& light, const glm::vec<3, T>&) {
+ZONAL_DEVICE ShGradient<N, T> project_with_gradient(const DirectionalLight<T>& light, const glm::vec<3, T>&) {
   return {evaluate<N>(light.direction), {}};
 }
 

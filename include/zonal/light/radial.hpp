@@ -89,7 +89,7 @@ ZONAL_INLINE constexpr void project_radial(const Zh<N, T>& factors, const Sight<
 
 /// The same with the gradient by the receiver's position: sink(l, m, value, d/dx, d/dy, d/dz).
 template <int N, class T, class Sink>
-ZONAL_INLINE constexpr void project_radial_with_gradient(const RadialProfile<N, T>& profile, const Sight<T>& sight,
+ZONAL_DEVICE ZONAL_INLINE constexpr void project_radial_with_gradient(const RadialProfile<N, T>& profile, const Sight<T>& sight,
                                                          Sink&& sink) {
   const T* w = sight.direction;
   Sh<N, T> basis;
@@ -136,7 +136,7 @@ ZONAL_INLINE constexpr void project_with_gradient(const Light& light, const T& x
 
 /// Coefficients at the receiver x, for a light of unit radiance or intensity (each light says which).
 template <int N, class Light, class T>
-Sh<N, T> project(const Light& light, const glm::vec<3, T>& x) {
+ZONAL_DEVICE Sh<N, T> project(const Light& light, const glm::vec<3, T>& x) {
   Sh<N, T> sh;
   project<N>(light, x[0], x[1], x[2],
              [&](auto l, auto m, const T& value) ZONAL_INLINE { sh.values[sh_index(l, m)] = value; });
@@ -145,7 +145,7 @@ Sh<N, T> project(const Light& light, const glm::vec<3, T>& x) {
 
 /// The same, and their gradient by the receiver's position, per unit of length.
 template <int N, class Light, class T>
-ShGradient<N, T> project_with_gradient(const Light& light, const glm::vec<3, T>& x) {
+ZONAL_DEVICE ShGradient<N, T> project_with_gradient(const Light& light, const glm::vec<3, T>& x) {
   ShGradient<N, T> sh;
   project_with_gradient<N>(light, x[0], x[1], x[2], detail::into(sh));
   return sh;

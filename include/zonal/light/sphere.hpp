@@ -22,15 +22,15 @@ inline namespace ZONAL_TARGET {
 /// together, A_l = pi sin^2 a e_l and A_l' = -2 pi sin^2 a / (d cos a) P_l(cos a).
 template <int N, class T>
 ZONAL_INLINE constexpr RadialProfile<N, T> sphere_profile(const Sight<T>& sight, const T& radius) {
-  const T sin_angle = minimum(radius * sight.inverse_distance, T(1));
-  const T cos_angle = sqrt((T(1) - sin_angle) * (T(1) + sin_angle));
-  const SphericalCap<T> cap{cos_angle, sin_angle};
-  constexpr long double epsilon = static_cast<long double>(std::numeric_limits<lane_t<T>>::epsilon());
-  constexpr long double least_cosine = constexpr_sqrt(epsilon) / 2;
-  const T tangent = sin_angle / maximum(cos_angle, T(least_cosine));
-  const T slope = select(sight.distance < radius, T(0), T(-2 * kPi) * (sin_angle * tangent * sight.inverse_distance));
+  const auto cap = SphericalCap<T>::from_sphere(sight.distance, sight.inverse_distance, radius);
+  constexpr auto least_cosine =
+      rounded<T>(constexpr_sqrt(static_cast<long double>(std::numeric_limits<lane_t<T>>::epsilon())) / 2);
+  constexpr auto pi = rounded<T>(kPi), minus_two_pi = rounded<T>(-2 * kPi);
+  const T tangent = cap.sin_angle / maximum(cap.cos_angle, T(least_cosine));
+  const T slope =
+      select(sight.distance < radius, T(0), T(minus_two_pi) * (cap.sin_angle * tangent * sight.inverse_distance));
   RadialProfile<N, T> profile{};
-  detail::cap_sums<N>(cap, [&](auto l, const T& sum) ZONAL_INLINE { profile.value.values[l] = T(kPi) * sum; });
+  detail::cap_sums<N>(cap, [&](auto l, const T& sum) ZONAL_INLINE { profile.value.values[l] = T(pi) * sum; });
   detail::cap_legendre<N>(cap,
                           [&](auto l, const T& legendre) ZONAL_INLINE { profile.slope.values[l] = slope * legendre; });
   return profile;
@@ -63,7 +63,8 @@ struct SoftSphereLight {
     static_assert(Bands <= N, "the kernel has fewer bands than asked for");
     RadialProfile<Bands, R> profile = sphere_profile<Bands>(sight, R(radius));
     unroll<0, Bands>([&](auto l) ZONAL_INLINE {
-      const R factor = R(detail::zonal_to_degree(l)) * R(kernel.values[l]);
+      constexpr auto to_degree = rounded<R>(detail::zonal_to_degree<l>);
+      const R factor = R(to_degree) * R(kernel.values[l]);
       profile.value.values[l] = profile.value.values[l] * factor;
       profile.slope.values[l] = profile.slope.values[l] * factor;
     });

@@ -20,9 +20,10 @@
 
 #include <cassert>
 #include <cmath>
+#include <type_traits>
 
+#include "../basis/normalisation.hpp"
 #include "../basis/sh.hpp"
-#include "../scalar/constexpr_math.hpp"
 #include "../scalar/scalar.hpp"
 #include "../scalar/unroll.hpp"
 
@@ -32,19 +33,27 @@ inline namespace ZONAL_TARGET {
 /// A cap of half angle a about the z axis, 0 <= a <= pi, kept by cosine and sine (sine >= 0).
 template <class T>
 struct SphericalCap {
+  static_assert(!std::is_integral_v<T>, "a cap of integers: write 3.0f");
   T cos_angle, sin_angle;
 
   /// From the half angle in radians.
-  static SphericalCap from_angle(T angle) {
+  ZONAL_DEVICE static SphericalCap from_angle(T angle) {
     using std::cos, std::sin;
     return {cos(angle), sin(angle)};
   }
 
   /// The cap that a sphere covers: sin a = radius / distance, distance measured to its centre. From within the sphere
   /// (distance < radius) it is the hemisphere, which is continuous at the surface. distance > 0, radius >= 0.
-  ZONAL_INLINE static SphericalCap from_sphere(const T& distance, const T& radius) {
-    const T sin_angle = minimum(radius / distance, T(1));
-    return {sqrt((T(1) - sin_angle) * (T(1) + sin_angle)), sin_angle};
+  ZONAL_INLINE static constexpr SphericalCap from_sphere(const T& distance, const T& radius) {
+    return from_sphere(distance, T(1) / distance, radius);
+  }
+  /// The same where the distance's reciprocal is at hand.
+  ZONAL_INLINE static constexpr SphericalCap from_sphere(const T& distance, const T& inverse_distance,
+                                                         const T& radius) {
+    // Just above the surface 1 - sin a has lost what distance - radius still has.
+    const T height = maximum(distance - radius, T(0)) * inverse_distance;
+    const T sin_angle = minimum(radius * inverse_distance, T(1));
+    return {sqrt(height * (T(1) + sin_angle)), sin_angle};
   }
 };
 
@@ -61,9 +70,14 @@ namespace detail {
 // d_l from e_(l-1) and d_(l-1).
 template <int l, class T>
 ZONAL_INLINE constexpr T cap_step(const T& t, const T& e, const T& d) {
-  if constexpr (l < 2) return T(0);
-  if constexpr (l == 2) return -(t * e);
-  return T((l - 2.0L) / (l + 1)) * d - T((2 * l - 1.0L) / (l + 1)) * (t * e);
+  if constexpr (l < 2) {
+    return T(0);
+  } else if constexpr (l == 2) {
+    return -(t * e);
+  } else {
+    constexpr auto of_step = rounded<T>((l - 2.0L) / (l + 1)), of_sum = rounded<T>((2 * l - 1.0L) / (l + 1));
+    return T(of_step) * d - T(of_sum) * (t * e);
+  }
 }
 
 // z_l without its constant, 2 z_l / sqrt(pi (2l+1)), to sink(l, value): sin^2 a e_l, and 2 (1 - cos a) for l = 0.
@@ -78,7 +92,8 @@ ZONAL_INLINE constexpr void cap_sums(const SphericalCap<T>& cap, Sink&& sink) {
   // All times sin^2 a: e_l and d_l. For a cap narrow against the bands e_l stays near its first value, and adding each
   // small d_l to it would round them away; so the d_l are summed apart. For a wide one e_l itself becomes small, and is
   // summed.
-  const T apart = select(T(1 - 6.0L / (N * N)) < cosine, sin2, T(0));
+  constexpr auto narrow = rounded<T>(1 - 6.0L / (N * N));
+  const T apart = select(T(narrow) < cosine, sin2, T(0));
   T e = sin2, d = T(0), sum = sin2 - apart;
   const T even_sign = select(is_small, T(1), T(-1));  // a cap and its complement differ in the even degrees
   unroll<1, N>([&](auto l) ZONAL_INLINE {
@@ -117,7 +132,10 @@ ZONAL_INLINE constexpr void cap_legendre(const SphericalCap<T>& cap, Sink&& sink
   T legendre = T(1), step = T(0);
   unroll<0, N>([&](auto l) ZONAL_INLINE {
     if constexpr (l == 1) step = -t;
-    if constexpr (l > 1) step = T((l - 1.0L) / l) * step - T((2 * l - 1.0L) / l) * (t * legendre);
+    if constexpr (l > 1) {
+      constexpr auto of_step = rounded<T>((l - 1.0L) / l), of_sum = rounded<T>((2 * l - 1.0L) / l);
+      step = T(of_step) * step - T(of_sum) * (t * legendre);
+    }
     if constexpr (l > 0) legendre = legendre + step;
     if constexpr (l % 2 == 1) {
       sink(l, odd_sign * legendre);
@@ -132,16 +150,20 @@ ZONAL_INLINE constexpr void cap_legendre(const SphericalCap<T>& cap, Sink&& sink
 /// Greatest error against the largest coefficient, at every angle: docs/accuracy.md.
 template <int N, class T, class Sink>
 ZONAL_INLINE constexpr void project(const SphericalCap<T>& cap, Sink&& sink) {
-  detail::cap_sums<N>(
-      cap, [&](auto l, const T& sum) ZONAL_INLINE { sink(l, T(constexpr_sqrt(kPi * (2 * l + 1)) / 2) * sum); });
+  detail::cap_sums<N>(cap, [&](auto l, const T& sum) ZONAL_INLINE {
+    constexpr auto scale = rounded<T>(detail::zonal_integral<l> / 2);
+    sink(l, T(scale) * sum);
+  });
 }
 
 /// The same for a cap up to the hemisphere, such as a sphere covers, with no choices; for many bands a little less
 /// accurate: docs/accuracy.md.
 template <int N, class T, class Sink>
 ZONAL_INLINE constexpr void project_up_to_hemisphere(const SphericalCap<T>& cap, Sink&& sink) {
-  detail::hemisphere_cap_sums<N>(
-      cap, [&](auto l, const T& sum) ZONAL_INLINE { sink(l, T(constexpr_sqrt(kPi * (2 * l + 1)) / 2) * sum); });
+  detail::hemisphere_cap_sums<N>(cap, [&](auto l, const T& sum) ZONAL_INLINE {
+    constexpr auto scale = rounded<T>(detail::zonal_integral<l> / 2);
+    sink(l, T(scale) * sum);
+  });
 }
 
 /// The same as an array.
@@ -156,7 +178,8 @@ constexpr Zh<N, T> project(const SphericalCap<T>& cap) {
 template <int N, class T, class Sink>
 ZONAL_INLINE constexpr void project_derivative(const SphericalCap<T>& cap, Sink&& sink) {
   detail::cap_legendre<N>(cap, [&](auto l, const T& legendre) ZONAL_INLINE {
-    sink(l, T(constexpr_sqrt(kPi * (2 * l + 1))) * (cap.sin_angle * legendre));
+    constexpr auto scale = rounded<T>(detail::zonal_integral<l>);
+    sink(l, T(scale) * (cap.sin_angle * legendre));
   });
 }
 

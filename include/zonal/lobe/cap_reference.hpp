@@ -9,8 +9,8 @@
 // [1] Mezieres et al., Harmonics Virtual Lights, CGF 41(6), 2022.
 #pragma once
 
+#include "../basis/normalisation.hpp"
 #include "../basis/sh.hpp"
-#include "../scalar/constexpr_math.hpp"
 #include "../scalar/unroll.hpp"
 
 namespace zonal {
@@ -22,12 +22,13 @@ namespace reference {
 template <int N, class T>
 constexpr Zh<N, T> project_cap_legendre(const T& cos_angle) {
   Zh<N, T> zh{};
-  zh[0] = T(constexpr_sqrt(kPi)) * (T(1) - cos_angle);
+  constexpr auto scale_0 = rounded<T>(zonal::detail::zonal_integral<0>);
+  zh[0] = T(scale_0) * (T(1) - cos_angle);
   [[maybe_unused]] T before = T(1), p = cos_angle;  // P_(l-1), P_l
   unroll<1, N>([&](auto l) {
-    constexpr long double degree = l;
-    const T next = T((2 * degree + 1) / (degree + 1)) * cos_angle * p - T(degree / (degree + 1)) * before;
-    constexpr long double scale = constexpr_sqrt(kPi / (2 * degree + 1));
+    constexpr auto of_last = rounded<T>((2 * l + 1.0L) / (l + 1)), of_before = rounded<T>(1.0L * l / (l + 1));
+    constexpr auto scale = rounded<T>(zonal::detail::zonal_integral<l> / (2 * l + 1));
+    const T next = T(of_last) * cos_angle * p - T(of_before) * before;
     zh[l] = T(scale) * (before - next);
     before = p;
     p = next;

@@ -1,17 +1,20 @@
 // The clamped cosine.
 #pragma once
 
+#include "../basis/normalisation.hpp"
 #include "../basis/sh.hpp"
-#include "../scalar/constexpr_math.hpp"
+#include "../scalar/scalar.hpp"
 #include "../scalar/unroll.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
 
 namespace detail {
-// I_l = integral of u^n P_l(u) from 0 to 1: I_0 = 1/(n+1), I_1 = 1/(n+2), I_l = (n-l+2)/(n+l+1) I_(l-2).
-// All factors are known signs and ratios: no cancellation. K_l = sqrt((2l+1)/(4 pi)).
-constexpr long double zonal_normalisation(int l) { return constexpr_sqrt((2 * l + 1) / (4 * kPi)); }
+// I_l = integral of u P_l(u) from 0 to 1: I_0 = 1/2, I_1 = 1/3, I_l = (3-l)/(l+2) I_(l-2). Known signs and ratios: no
+// cancellation.
+constexpr long double cosine_integral(int l) {
+  return l == 0 ? 1.0L / 2 : l == 1 ? 1.0L / 3 : (3.0L - l) / (2.0L + l) * cosine_integral(l - 2);
+}
 }  // namespace detail
 
 /// f = max(cos theta, 0) / pi: a Lambert reflector of albedo 1 times the cosine. It integrates to 1.
@@ -21,11 +24,9 @@ struct LambertLobe {};
 /// Its zonal coefficients to sink(l, value), rounded once.
 template <int N, class T, class Sink>
 ZONAL_INLINE constexpr void project(LambertLobe, Sink&& sink) {
-  long double even = 1.0L / 2, odd = 1.0L / 3;  // I_l for n = 1
   unroll<0, N>([&](auto l) ZONAL_INLINE {
-    long double& integral = l % 2 == 0 ? even : odd;
-    if constexpr (l >= 2) integral *= (3.0L - l) / (2.0L + l);
-    sink(l, T(2 * detail::zonal_normalisation(l) * integral));
+    constexpr auto coefficient = rounded<T>(2 * detail::zonal_normalisation<l> * detail::cosine_integral(l));
+    sink(l, T(coefficient));
   });
 }
 

@@ -1,12 +1,18 @@
 // The cosine power.
 //
-// z_l = (n+1) K_l I_l with I_l the integral of u^n P_l(u) over [0, 1] [1, 3.3.1], by I_l = (n-l+2)/(n+l+1) I_(l-2).
+// z_l = (n+1) K_l I_l, K_l = sqrt((2l+1)/(4 pi)), with I_l the integral of u^n P_l(u) over [0, 1] [1, 3.3.1], by
+// I_0 = 1/(n+1), I_1 = 1/(n+2), I_l = (n-l+2)/(n+l+1) I_(l-2).
 // For a real n the product runs through zero near an integer, as it should: each factor is exact to one rounding.
 //
 // [1] Segovia and Wald, Screen space spherical harmonics filters for instant global illumination.
 #pragma once
 
-#include "lambert.hpp"
+#include <type_traits>
+
+#include "../basis/normalisation.hpp"
+#include "../basis/sh.hpp"
+#include "../scalar/scalar.hpp"
+#include "../scalar/unroll.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
@@ -14,6 +20,7 @@ inline namespace ZONAL_TARGET {
 /// f = (n+1)/(2 pi) max(cos theta, 0)^n for a real exponent n >= 0. It integrates to 1.
 template <class T>
 struct PhongLobe {
+  static_assert(!std::is_integral_v<T>, "an exponent of type int: write 5.0f");
   T exponent;
 };
 
@@ -23,9 +30,10 @@ ZONAL_INLINE constexpr void project(const PhongLobe<T>& lobe, Sink&& sink) {
   const T n = lobe.exponent;
   T even = T(1), odd = (n + T(1)) / (n + T(2));  // (n+1) I_l
   unroll<0, N>([&](auto l) ZONAL_INLINE {
+    constexpr auto normalisation = rounded<T>(detail::zonal_normalisation<l>);
     T& integral = l % 2 == 0 ? even : odd;
     if constexpr (l >= 2) integral = integral * ((n - T(l - 2)) / (n + T(l + 1)));
-    sink(l, T(detail::zonal_normalisation(l)) * integral);
+    sink(l, T(normalisation) * integral);
   });
 }
 

@@ -12,8 +12,11 @@
 // For lambda < 1, where 1 - e^(-2 lambda) cancels, i_0 comes from sum (2l+1) i_l = e^lambda.
 #pragma once
 
+#include <type_traits>
+
+#include "../basis/normalisation.hpp"
+#include "../basis/sh.hpp"
 #include "../scalar/math.hpp"
-#include "lambert.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
@@ -21,6 +24,7 @@ inline namespace ZONAL_TARGET {
 /// f = exp(sharpness (cos theta - 1)), 0 <= sharpness; f = 1 on the axis.
 template <class T>
 struct SphericalGaussian {
+  static_assert(!std::is_integral_v<T>, "a sharpness of type int: write 5.0f");
   T sharpness;
 };
 
@@ -32,7 +36,7 @@ ZONAL_INLINE constexpr void project(const SphericalGaussian<T>& lobe, Sink&& sin
 
   // Downward: the ratios, and sum = 1 + rho_1 (3 + rho_2 (5 + ...)) = e^lambda / i_0.
   Zh<N, T> ratio{};
-  T rho = lambda / (T(start) + sqrt(T(start * (start + 1.0L)) + lambda2));
+  T rho = lambda / (T(start) + sqrt(T(start * (start + 1)) + lambda2));
   T sum = T(2 * start + 1);
   for (int l = start - 1; l >= 1; --l) {
     sum = T(2 * l + 1) + rho * sum;
@@ -43,20 +47,22 @@ ZONAL_INLINE constexpr void project(const SphericalGaussian<T>& lobe, Sink&& sin
 
   // e^-lambda i_l by both ways. Each divides by a safe value where it is not selected.
   const auto is_tiny = lambda < T(1);
-  const auto is_sharp = T(N * N / 2.0L) < lambda;
+  const auto is_sharp = T(0.5L * N * N) < lambda;
   const T safe = maximum(lambda, T(1));
   const T fall = exp(T(-2) * safe);
   const T i0 = select(is_tiny, T(1) / sum, (T(1) - fall) / (safe + safe));
   T before = i0, upward = ((T(1) + fall) * T(0.5L) - i0) / safe, downward = i0;
-  sink(Index<0>{}, T(4 * kPi * detail::zonal_normalisation(0)) * i0);
+  constexpr auto scale_0 = rounded<T>(4 * kPi * detail::zonal_normalisation<0>);
+  sink(Index<0>{}, T(scale_0) * i0);
   unroll<1, N>([&](auto l) ZONAL_INLINE {
+    constexpr auto scale = rounded<T>(4 * kPi * detail::zonal_normalisation<l>);
     if constexpr (l > 1) {
       const T next = before - T(2 * l - 1) / safe * upward;
       before = upward;
       upward = next;
     }
     downward = downward * ratio.values[l];
-    sink(l, T(4 * kPi * detail::zonal_normalisation(l)) * select(is_sharp, upward, downward));
+    sink(l, T(scale) * select(is_sharp, upward, downward));
   });
 }
 

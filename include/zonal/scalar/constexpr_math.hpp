@@ -8,6 +8,10 @@ inline namespace ZONAL_TARGET {
 
 inline constexpr long double kPi = 3.14159265358979323846264338327950288L;
 
+// pi / 2 as the double next to it and what is missing: together they are exact enough for any T, where long double is
+// no longer than double as well.
+inline constexpr long double kHalfPiDouble = 0x1.921fb54442d18p+0L, kHalfPiRest = 0x1.1a62633145c07p-54L;
+
 /// sqrt(x) for 0 <= x < 1e30, to the last bit or one beside it, by Newton's method from above.
 constexpr long double constexpr_sqrt(long double x) {
   if (x <= 0) return 0;

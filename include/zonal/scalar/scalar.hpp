@@ -49,6 +49,17 @@ using lane_t = typename ScalarTraits<T>::Lane;
 template <class T>
 inline constexpr int digits_v = std::numeric_limits<lane_t<T>>::digits;
 
+/// What a constant of a kernel is kept as: rounded to T when the kernel is compiled, or as exact as there is, for a T
+/// that rounds by itself. Kernels hold each constant as a `constexpr auto` of their own: no table is read and no root
+/// computed at run time, be it in a debug build, and a graphics processor gets the value instead of a host's address.
+template <class T>
+using constant_t = std::conditional_t<is_builtin_scalar_v<T>, T, long double>;
+
+template <class T>
+constexpr constant_t<T> rounded(long double constant) {
+  return static_cast<constant_t<T>>(constant);
+}
+
 /// What comparing two T gives: bool for the built-in types.
 template <class T>
 using mask_t = std::decay_t<decltype(std::declval<T>() < std::declval<T>())>;
@@ -74,7 +85,7 @@ constexpr IfBuiltin<T, T> abs(T a) {
   return a < T(0) ? -a : a;
 }
 template <class T>
-IfBuiltin<T, T> sqrt(T a) {
+ZONAL_DEVICE IfBuiltin<T, T> sqrt(T a) {
   return std::sqrt(a);
 }
 

@@ -50,6 +50,13 @@
 #define ZONAL_TARGET_MATH
 #endif
 
+// Kernels that are not constexpr in C++17 for what nvcc compiles; the others it takes by --expt-relaxed-constexpr.
+#if defined(__CUDACC__)
+#define ZONAL_DEVICE __host__ __device__
+#else
+#define ZONAL_DEVICE
+#endif
+
 #define ZONAL_TARGET_JOINED(a, b, c, d) a##b##c##d
 #define ZONAL_TARGET_JOIN(a, b, c, d) ZONAL_TARGET_JOINED(a, b, c, d)
 

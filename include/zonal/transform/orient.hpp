@@ -6,27 +6,25 @@
 #pragma once
 
 #include "../basis/evaluate.hpp"
+#include "../basis/normalisation.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
-
-namespace detail {
-// sqrt(4 pi / (2l+1)): from a zonal coefficient to the factor of its degree.
-constexpr long double zonal_to_degree(int l) { return constexpr_sqrt(4 * kPi / (2 * l + 1)); }
-}  // namespace detail
 
 /// The lobe's symmetry axis moved from z to `axis`, a unit vector: to sink(l, m, value) [1].
 template <int N, class T, class Sink>
 ZONAL_INLINE constexpr void orient(const Zh<N, T>& zh, const T& x, const T& y, const T& z, Sink&& sink) {
   Zh<N, T> factor = zh;
-  unroll<0, N>([&](auto l) ZONAL_INLINE { factor.values[l] = T(detail::zonal_to_degree(l)) * zh.values[l]; });
+  unroll<0, N>([&](auto l) ZONAL_INLINE {
+    constexpr auto to_degree = rounded<T>(detail::zonal_to_degree<l>);
+    factor.values[l] = T(to_degree) * zh.values[l];
+  });
   evaluate<N>(x, y, z, [&](auto l, auto m, const T& value) ZONAL_INLINE { sink(l, m, factor.values[l] * value); });
 }
 
 /// The same as an array; `axis` is anything with axis[0], axis[1], axis[2].
 template <int N, class T, class Direction>
-constexpr Sh<N, T> orient(const Zh<N, T>& zh, const Direction& axis) {
-  assert(detail::is_unit<T>(axis[0], axis[1], axis[2]));
+ZONAL_DEVICE constexpr Sh<N, T> orient(const Zh<N, T>& zh, const Direction& axis) {
   Sh<N, T> sh;
   orient(zh, T(axis[0]), T(axis[1]), T(axis[2]),
          [&](auto l, auto m, const T& value) ZONAL_INLINE { sh.values[sh_index(l, m)] = value; });

@@ -14,13 +14,17 @@ inline namespace ZONAL_TARGET {
 
 enum class Window { none, hann, sinc };
 
-/// The factor of degree l, 0 <= l <= width: hann (1 + cos(pi l/width))/2, sinc sin(pi l/width)/(pi l/width) [1].
+/// The factor of degree l >= 0: hann (1 + cos(pi l/width))/2, sinc sin(pi l/width)/(pi l/width) [1], and 0 from the
+/// width on. Degree 0 is kept as it is, whatever the width.
 template <class T, class = std::enable_if_t<!std::is_integral_v<T>>>
 ZONAL_INLINE constexpr T window_factor(Window window, int degree, const T& width) {
   if (window == Window::none || degree == 0) return T(1);
-  const T half = T(kPi / 2 * degree) / width;  // (1 + cos(2x))/2 = cos^2 x, sin(2x) = 2 sin x cos x
+  constexpr auto half_pi = rounded<T>(kPi / 2);
+  const auto is_within = T(degree) < width;
+  // (1 + cos(2x))/2 = cos^2 x, sin(2x) = 2 sin x cos x
+  const T half = T(half_pi) * select(is_within, T(degree) / width, T(1));
   const SinCos<T> at = sin_cos(half);
-  return at.cosine * (window == Window::hann ? at.cosine : at.sine / half);
+  return select(is_within, at.cosine * (window == Window::hann ? at.cosine : at.sine / half), T(0));
 }
 
 constexpr double window_factor(Window window, int degree, int width) {
@@ -41,7 +45,7 @@ template <class T>
 using lane_of = typename LaneOf<T>::Type;
 
 template <class C, class Degree>
-C scale_degrees(C coefficients, Window window, double width, Degree last_of_degree) {
+constexpr C scale_degrees(C coefficients, Window window, double width, Degree last_of_degree) {
   for (int l = 0, i = 0; l < C::bands; ++l) {
     const double factor = window_factor(window, l, width);
     for (; i <= last_of_degree(l); ++i) {
@@ -55,15 +59,15 @@ C scale_degrees(C coefficients, Window window, double width, Degree last_of_degr
 
 /// The windowed coefficients. `width` defaults to the number of bands: degree N would be the first at zero.
 template <int N, class T>
-Sh<N, T> apply_window(const Sh<N, T>& sh, Window window, double width = N) {
+constexpr Sh<N, T> apply_window(const Sh<N, T>& sh, Window window, double width = N) {
   return detail::scale_degrees(sh, window, width, [](int l) { return sh_index(l, l); });
 }
 template <int N, class T>
-EvenSh<N, T> apply_window(const EvenSh<N, T>& sh, Window window, double width = N) {
+constexpr EvenSh<N, T> apply_window(const EvenSh<N, T>& sh, Window window, double width = N) {
   return detail::scale_degrees(sh, window, width, [](int l) { return even_index(l, l); });
 }
 template <int N, class T>
-Zh<N, T> apply_window(const Zh<N, T>& zh, Window window, double width = N) {
+constexpr Zh<N, T> apply_window(const Zh<N, T>& zh, Window window, double width = N) {
   return detail::scale_degrees(zh, window, width, [](int l) { return l; });
 }
 

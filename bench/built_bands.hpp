@@ -1,5 +1,5 @@
-// The numbers of bands that benchmarks and report are compiled for: all that the tables print, or, in the test command's
-// short build, few.
+// The numbers of bands that benchmarks and report are compiled for: all that the tables print, or, in the test
+// command's short build, few.
 #pragma once
 
 #include <type_traits>

@@ -8,7 +8,7 @@ install(EXPORT zonal-targets NAMESPACE zonal:: DESTINATION ${package_dir} COMPON
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/zonal DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT zonal)
 
 configure_package_config_file(cmake/zonal-config.cmake.in zonal-config.cmake INSTALL_DESTINATION ${package_dir})
-write_basic_package_version_file(zonal-config-version.cmake COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+configure_file(cmake/zonal-config-version.cmake.in zonal-config-version.cmake @ONLY)
 install(FILES
     ${CMAKE_CURRENT_BINARY_DIR}/zonal-config.cmake
     ${CMAKE_CURRENT_BINARY_DIR}/zonal-config-version.cmake

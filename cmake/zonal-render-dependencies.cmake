@@ -2,11 +2,36 @@
 # The build and the installed package both use this file.
 set(zonal_render_missing "")
 
+# Eigen below 3.4 lacks what packets are made of. Its version is read from its headers: find_package(Eigen3 3.4) would
+# refuse Eigen 5, and a target that is there already has no version.
+set(zonal_least_eigen 3.4)
 if(NOT TARGET Eigen3::Eigen)
   find_package(Eigen3 CONFIG QUIET)
 endif()
-if(NOT TARGET Eigen3::Eigen)
-  list(APPEND zonal_render_missing Eigen3)
+if(TARGET Eigen3::Eigen)
+  get_target_property(zonal_eigen_folders Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+  unset(zonal_eigen_macros)
+  foreach(folder IN LISTS zonal_eigen_folders)
+    string(REGEX REPLACE "^\\$<BUILD_INTERFACE:(.*)>$" "\\1" folder "${folder}")
+    foreach(header Eigen/Version Eigen/src/Core/util/Macros.h)
+      if(NOT zonal_eigen_macros AND EXISTS "${folder}/${header}")
+        file(STRINGS "${folder}/${header}" zonal_eigen_macros REGEX "^#define EIGEN_(WORLD|MAJOR|MINOR)_VERSION ")
+        set(zonal_eigen_header "${folder}/${header}")
+      endif()
+    endforeach()
+  endforeach()
+  if(zonal_eigen_macros)
+    # WORLD.MAJOR.MINOR to 3.4, MAJOR.MINOR from 5 on: in both WORLD and MAJOR decide, and WORLD has become 3 for good.
+    string(REGEX REPLACE ".*_WORLD_VERSION ([0-9]+).*" "\\1" zonal_eigen_world "${zonal_eigen_macros}")
+    string(REGEX REPLACE ".*_MAJOR_VERSION ([0-9]+).*" "\\1" zonal_eigen_major "${zonal_eigen_macros}")
+    set(zonal_eigen_version ${zonal_eigen_world}.${zonal_eigen_major})
+    if(zonal_eigen_version VERSION_LESS zonal_least_eigen)
+      list(APPEND zonal_render_missing
+        "Eigen3 ${zonal_least_eigen} or later (${zonal_eigen_header} is of ${zonal_eigen_version})")
+    endif()
+  endif()
+else()
+  list(APPEND zonal_render_missing "Eigen3 ${zonal_least_eigen} or later")
 endif()
 
 if(NOT TARGET glm::glm)

@@ -3,9 +3,9 @@
 # each of the paper's claims.
 set -euo pipefail
 
-[ -n "${3-}" ] || { echo "skipped: no hvl-render"; exit 0; }
+[ -n "${3-}" ] || { echo "skipped: hvl-render is not part of this build"; exit 0; }
 python=/usr/bin/python3
-"$python" -c 'import matplotlib' 2>/dev/null || { echo "skipped: no matplotlib"; exit 0; }
+"$python" -c 'import matplotlib' 2>/dev/null || { echo "skipped: matplotlib of /usr/bin/python3 is not installed (Debian: python3-matplotlib)"; exit 0; }
 folder="$(mktemp -d)"
 trap 'rm -rf "$folder"' EXIT
 

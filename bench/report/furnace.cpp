@@ -63,7 +63,8 @@ class Furnace {
   }
 
  private:
-  using FurnaceBands = zonal_bench::Built<zonal_bench::Bands<1, 2, 3, 4, 5, 7, 9, 11, 15, 21>, zonal_bench::Bands<2, 5>>;
+  using FurnaceBands =
+      zonal_bench::Built<zonal_bench::Bands<1, 2, 3, 4, 5, 7, 9, 11, 15, 21>, zonal_bench::Bands<2, 5>>;
 
   std::vector<zonal::VirtualLight> lights_;
   zonal::LightCache cache_;

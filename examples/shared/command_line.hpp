@@ -5,16 +5,15 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 #include <glm/glm.hpp>
+#include <zonal/file/number_text.hpp>
 
 #include "common_options.hpp"
 #include "names.hpp"
@@ -24,9 +23,7 @@ namespace example {
 /// The whole text as one number.
 template <class Number>
 bool parse_number(const std::string& text, Number& number) {
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  return error == std::errc() && stop == end && !text.empty();
+  return zonal::parse_number(text, number);
 }
 
 /// As many numbers as asked for, and nothing else, with a separator between them.

@@ -1,10 +1,11 @@
 #include "obj_check.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <string_view>
+
+#include <zonal/file/number_text.hpp>
 
 #include "input_error.hpp"
 
@@ -26,9 +27,8 @@ std::string_view next_word(std::string_view& line) {
 bool is_coordinate(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);
   double value = 0.0;
-  const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   // Not a number fails the comparison.
-  return error == std::errc() && stop == word.data() + word.size() && std::abs(value) <= greatest_coordinate;
+  return zonal::parse_number(word, value) && std::abs(value) <= greatest_coordinate;
 }
 
 bool is_vertex(std::string_view words) {

@@ -3,6 +3,7 @@
 #   narrow_terminal.sh <folder> <command>...
 set -eu
 command -v script >/dev/null || { echo "skipped: no program 'script' to make a terminal"; exit 0; }
+script -qec true /dev/null >/dev/null 2>&1 </dev/null || { echo "skipped: no pseudo-terminal can be opened here"; exit 0; }
 folder="$1"
 shift
 rm -rf "$folder"

@@ -4,7 +4,6 @@
 // c) keeps its parentheses, and no two constants meet, for they were combined in float when they were written down.
 #pragma once
 
-#include <charconv>
 #include <cmath>
 #include <initializer_list>
 #include <stdexcept>
@@ -12,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "../file/number_text.hpp"
 #include "dialect.hpp"
 #include "recorded_function.hpp"
 
@@ -26,9 +26,7 @@ struct TextOptions {
 /// The shortest decimal that reads back to the same float, with the suffix that makes it one.
 inline std::string literal(float value) {
   if (!std::isfinite(value)) throw std::logic_error("a kernel's constant is not finite");
-  char digits[32];
-  const auto end = std::to_chars(digits, digits + sizeof digits, value);
-  std::string text(digits, end.ptr);
+  std::string text = shortest_text(value);
   if (text.find_first_of(".e") == std::string::npos) text += ".0";
   return text + "f";
 }

@@ -11,13 +11,13 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "../basis/gradient.hpp"
+#include "../scalar/refuse.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
@@ -34,7 +34,7 @@ class CoefficientGrid {
   static constexpr int vertex_size = block_count * block_size;
 
   /// All coefficients 0. Throws std::invalid_argument unless the box is finite, low < high on every axis, and there are
-  /// at least 2 vertices on each, few enough to lie apart in float.
+  /// at least 2 vertices on each, few enough to lie apart in float; without exceptions it ends the program (refuse.hpp).
   CoefficientGrid(const glm::vec3& low, const glm::vec3& high, const glm::ivec3& resolution)
       : low_(low), high_(high), resolution_(resolution) {
     for (int axis = 0; axis < 3; ++axis) check_axis(axis);
@@ -85,16 +85,16 @@ class CoefficientGrid {
     const std::string name = std::string("the grid's ") + "xyz"[axis] + " axis ";
     const float low = low_[axis], high = high_[axis];
     if (resolution_[axis] < 2) {
-      throw std::invalid_argument(name + "has " + std::to_string(resolution_[axis]) + " vertices; it needs at least 2");
+      detail::refuse(name + "has " + std::to_string(resolution_[axis]) + " vertices; it needs at least 2");
     }
     const std::string range = "from " + std::to_string(low) + " to " + std::to_string(high);
     if (!std::isfinite(low) || !std::isfinite(high) || !std::isfinite(high - low)) {
-      throw std::invalid_argument(name + "goes " + range + ", which is not finite");
+      detail::refuse(name + "goes " + range + ", which is not finite");
     }
-    if (!(low < high)) throw std::invalid_argument(name + "goes " + range + ", which leaves no space between");
+    if (!(low < high)) detail::refuse(name + "goes " + range + ", which leaves no space between");
     const float step = (high - low) / static_cast<float>(resolution_[axis] - 1);
     if (low + step == low || high - step == high || !std::isfinite(1 / step)) {
-      throw std::invalid_argument(name + "has " + std::to_string(resolution_[axis]) + " vertices " + range +
+      detail::refuse(name + "has " + std::to_string(resolution_[axis]) + " vertices " + range +
                                   ", too close to tell apart in float");
     }
   }
@@ -105,7 +105,7 @@ class CoefficientGrid {
     for (int axis = 0; axis < 3; ++axis) {
       const auto count = static_cast<std::size_t>(resolution_[axis]);
       if (size > data_.max_size() / count) {
-        throw std::invalid_argument("a grid of " + std::to_string(resolution_.x) + " x " +
+        detail::refuse("a grid of " + std::to_string(resolution_.x) + " x " +
                                     std::to_string(resolution_.y) + " x " + std::to_string(resolution_.z) +
                                     " vertices is more than memory can hold");
       }

@@ -74,6 +74,16 @@ ZONAL_INLINE inline T across(const T (&direction)[3], const T (&normal)[3], cons
   return dot3(direction, bitangent);
 }
 
+/// The coefficients of a function that is even in phi, with its zeros.
+template <int N, class T>
+constexpr Sh<N, T> all_orders(const EvenSh<N, T>& even) {
+  Sh<N, T> sh{};
+  for (int l = 0; l < N; ++l) {
+    for (int m = 0; m <= l; ++m) sh(l, m) = even(l, m);
+  }
+  return sh;
+}
+
 }  // namespace detail
 
 /// What a sphere light needs to be seen: a light of the cache as the kernel reads it, one lane or a packet of them.
@@ -172,12 +182,16 @@ class HvlCache {
   int packet_count() const { return records_.packet_count(); }
   ZONAL_INLINE Record<Lanes> packet(int index) const { return records_.packet(index); }
   const PacketArray<AnisotropicRecord>& anisotropic() const { return anisotropic_; }
+  /// Those of isotropic materials once more, for receivers that have no symmetry either.
+  const PacketArray<AnisotropicRecord>& isotropic_as_any() const { return isotropic_as_any_; }
 
  private:
   void append(const VirtualLight& light) {
     const glm::vec3 tangent = detail::tangent_towards(light.normal, light.to_primary);
     const float cos_primary = glm::dot(light.normal, light.to_primary);
-    records_.append(record<EvenEmission>(light, tangent, light.material->template without_cosine<NE>(cos_primary)));
+    const EvenSh<NE, glm::vec3> reflected = light.material->template without_cosine<NE>(cos_primary);
+    records_.append(record<EvenEmission>(light, tangent, reflected));
+    isotropic_as_any_.append(record<AnyEmission>(light, tangent, detail::all_orders(reflected)));
   }
   void append_anisotropic(const VirtualLight& light) {
     const glm::vec3 own = detail::tangent_towards(light.normal, light.tangent);
@@ -207,20 +221,18 @@ class HvlCache {
   }
 
   PacketArray<Record> records_;
-  PacketArray<AnisotropicRecord> anisotropic_;
+  PacketArray<AnisotropicRecord> anisotropic_, isotropic_as_any_;
 };
 
 namespace detail {
 
-/// The sum over all lights of a receiver whose coefficients F, in the frame given, are known.
-template <int N, int NE, Horizon method, class Material>
-glm::vec3 gather_coefficients(const HvlCache<NE>& cache, const ReceiverFrame<typename HvlCache<NE>::Lanes>& frame,
-                              const Material& coefficients, const Visibility& visible) {
-  const auto radiance = [&](const auto& light, auto& rgb)
-                            ZONAL_INLINE { hvl_radiance<N, NE, method>(light, frame, coefficients, rgb); };
-  glm::vec3 sum = sum_packets(cache, visible, radiance);
-  if (cache.anisotropic().size() > 0) sum += sum_packets(cache.anisotropic(), visible, radiance);
-  return (glm::max)(sum, glm::vec3(0));
+/// The sum over some lights of a receiver whose coefficients F, in the frame given, are known.
+template <int N, int NE, Horizon method, class Lights, class Material>
+glm::vec3 gather_from(const Lights& lights, const ReceiverFrame<typename Lights::Lanes>& frame,
+                      const Material& coefficients, const Visibility& visible) {
+  return sum_packets(lights, visible, [&](const auto& light, auto& rgb) ZONAL_INLINE {
+    hvl_radiance<N, NE, method>(light, frame, coefficients, rgb);
+  });
 }
 
 }  // namespace detail
@@ -232,8 +244,13 @@ glm::vec3 gather(const HvlCache<NE>& cache, const Receiver& receiver, const Mate
                  const Visibility& visible = {}) {
   using Lanes = typename HvlCache<NE>::Lanes;
   const auto frame = detail::frame_of<Lanes>(receiver);
-  const float cos_outgoing = glm::dot(receiver.normal, receiver.outgoing);
-  return detail::gather_coefficients<N, NE, method>(cache, frame, material.with_cosine<N>(cos_outgoing), visible);
+  const EvenSh<N, glm::vec3> coefficients = material.with_cosine<N>(glm::dot(receiver.normal, receiver.outgoing));
+  glm::vec3 sum = detail::gather_from<N, NE, method>(cache, frame, coefficients, visible);
+  if (cache.anisotropic().size() > 0) {
+    // Where there is one kind without symmetry, the other is taken without it too: two kernels and not four.
+    sum += detail::gather_from<N, NE, method>(cache.anisotropic(), frame, detail::all_orders(coefficients), visible);
+  }
+  return (glm::max)(sum, glm::vec3(0));
 }
 
 /// The same of an anisotropic material, in the frame of the receiver's tangent.
@@ -244,7 +261,10 @@ glm::vec3 gather(const HvlCache<NE>& cache, const Receiver& receiver, const Anis
   const glm::vec3 own = detail::tangent_towards(receiver.normal, receiver.tangent);
   const glm::vec3 outgoing = detail::in_frame(receiver.outgoing, receiver.normal, own);
   const auto frame = detail::frame_of<Lanes>(receiver, detail::turned_tangent(outgoing, receiver.normal, own));
-  return detail::gather_coefficients<N, NE, method>(cache, frame, material.with_cosine<N>(outgoing), visible);
+  const Sh<N, glm::vec3> coefficients = material.with_cosine<N>(outgoing);
+  const glm::vec3 sum = detail::gather_from<N, NE, method>(cache.anisotropic(), frame, coefficients, visible) +
+                        detail::gather_from<N, NE, method>(cache.isotropic_as_any(), frame, coefficients, visible);
+  return (glm::max)(sum, glm::vec3(0));
 }
 
 }  // namespace ZONAL_TARGET

@@ -5,11 +5,19 @@
 namespace example::grid_render {
 namespace {
 
+template <class T>
+std::unique_ptr<T> built(std::unique_ptr<T> made) {
+  if (!made) throw InputError("this number of bands is not compiled in");
+  return made;
+}
+
 template <class Bands, class Light>
 std::unique_ptr<Lighting> make(Lights<Light> lights, int bands) {
   std::unique_ptr<Lighting> made;
-  Bands::dispatch(bands, [&](auto n) { made = std::make_unique<LightingOf<n, Light>>(std::move(lights)); });
-  return made;
+  Bands::dispatch(bands, [&](auto n) {
+    if constexpr (is_built<n, Light>) made = std::make_unique<LightingOf<n, Light>>(std::move(lights));
+  });
+  return built(std::move(made));
 }
 
 }  // namespace
@@ -28,8 +36,10 @@ std::unique_ptr<LightGrid> load_light_grid(const std::filesystem::path& path, co
       throw InputError(path.string() + ": is of another scene: its box is not this one's");
     }
     std::unique_ptr<LightGrid> grid;
-    AllBands::dispatch(bands, [&](auto n) { grid = std::make_unique<LightGridOf<n>>(zonal::load_grid<n>(path)); });
-    return grid;
+    AllBands::dispatch(bands, [&](auto n) {
+      if constexpr (is_built<n, Sphere>) grid = std::make_unique<LightGridOf<n>>(zonal::load_grid<n>(path));
+    });
+    return built(std::move(grid));
   } catch (const zonal::GridFileError& error) {
     throw InputError(one_line(error.what()));
   }

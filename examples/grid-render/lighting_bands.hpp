@@ -187,6 +187,15 @@ using Triangle = zonal::TriangleLight<float>;
 using TriangleSphere = zonal::TriangleSphereLight<float>;
 
 // Each has a source file, lighting_*.cpp.
+/// Whether it is compiled in: all that is offered, or, in the test command's short build, what tests ask for.
+#ifdef ZONAL_QUICK
+template <int N, class Light>
+inline constexpr bool is_built = std::is_same_v<Light, Triangle> ? N == 5 : N != 7;
+#else
+template <int, class>
+inline constexpr bool is_built = true;
+#endif
+
 extern template class LightGridOf<3>;
 extern template class LightGridOf<5>;
 extern template class LightGridOf<7>;

@@ -52,6 +52,11 @@ void add_lobe(Reflector& reflector, const zonal::LambertBrdf& lobe, const Option
   reflector.diffuse_albedo += lobe.albedo;
 }
 
+/// From wherever it is seen, as from the mean of all directions.
+void add_lobe(Reflector& reflector, const zonal::ResidualBrdf& lobe, const Options&) {
+  reflector.diffuse_albedo += lobe.albedo * lobe.mean;
+}
+
 template <class Lobe>
 void add_lobe(Reflector& reflector, const Lobe& lobe, const Options& options) {
   reflector.glossy.push_back(glossy_lobe(lobe, options));

@@ -23,6 +23,16 @@ constexpr bool contains(const std::array<int, Size>& numbers, int number) {
   return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
 }
 
+/// Whether a pair is compiled in: all that is offered, or, in the test command's short build, what tests and the
+/// report's quick data ask for.
+constexpr bool is_compiled([[maybe_unused]] zonal::Horizon horizon, int bands, int emission_bands) {
+#ifdef ZONAL_QUICK
+  if (emission_bands != 3 || (horizon != zonal::Horizon::smoothstep ? bands != 5 : bands % 2 == 0 || bands == 1))
+    return false;
+#endif
+  return contains(compiled_bands, bands) && contains(compiled_emission_bands, emission_bands);
+}
+
 /// Null for numbers of bands that are not compiled in, here and below.
 template <zonal::Horizon H>
 std::unique_ptr<Gatherer> make_hvl(const GatherInput& input) {
@@ -31,7 +41,7 @@ std::unique_ptr<Gatherer> make_hvl(const GatherInput& input) {
     zonal::dispatch_bands<1, compiled_emission_bands.back()>(input.options.emission_bands, [&](auto ne) {
       constexpr int N = n;
       constexpr int NE = ne;
-      if constexpr (contains(compiled_bands, N) && contains(compiled_emission_bands, NE)) {
+      if constexpr (is_compiled(H, N, NE)) {
         const auto gather = [&tables = input.materials](const auto& cache, const zonal::Receiver& receiver,
                                                         auto material, std::size_t, const zonal::Visibility& visible) {
           if (const auto& anisotropic = tables.anisotropic[material]) {

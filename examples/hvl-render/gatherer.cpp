@@ -10,6 +10,7 @@
 
 namespace example::hvl_render {
 
+extern template std::unique_ptr<Gatherer> make_hvl<zonal::Horizon::none>(const GatherInput& input);
 extern template std::unique_ptr<Gatherer> make_hvl<zonal::Horizon::smoothstep>(const GatherInput& input);
 extern template std::unique_ptr<Gatherer> make_hvl<zonal::Horizon::exact>(const GatherInput& input);
 
@@ -47,14 +48,21 @@ std::unique_ptr<Gatherer> make_vsgl(const GatherInput& input) {
   return make_cached(input, zonal::GaussianCache(lights), gather);
 }
 
+std::unique_ptr<Gatherer> make_hvl(const GatherInput& input) {
+  switch (input.options.horizon) {
+    case HorizonRule::none: return make_hvl<zonal::Horizon::none>(input);
+    case HorizonRule::smoothstep: return make_hvl<zonal::Horizon::smoothstep>(input);
+    case HorizonRule::exact: return make_hvl<zonal::Horizon::exact>(input);
+  }
+  return nullptr;
+}
+
 std::unique_ptr<Gatherer> make(const GatherInput& input) {
   switch (input.options.method) {
     case Method::vpl: return make_vpl(input);
     case Method::vsl: return make_vsl(input);
     case Method::vsgl: return make_vsgl(input);
-    case Method::hvl:
-      return input.options.horizon == HorizonRule::exact ? make_hvl<zonal::Horizon::exact>(input)
-                                                         : make_hvl<zonal::Horizon::smoothstep>(input);
+    case Method::hvl: return make_hvl(input);
     case Method::hvl_zonal: return make_hvl_zonal(input);
     case Method::path: break;
   }

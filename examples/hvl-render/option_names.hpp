@@ -13,6 +13,7 @@ inline const Names<Method> method_names{{"vpl", Method::vpl},
                                         {"path", Method::path}};
 /// What --visibility says, as centre_visibility.
 inline const Names<bool> visibility_names{{"none", false}, {"centre", true}};
-inline const Names<HorizonRule> horizon_names{{"smoothstep", HorizonRule::smoothstep}, {"exact", HorizonRule::exact}};
+inline const Names<HorizonRule> horizon_names{
+    {"none", HorizonRule::none}, {"smoothstep", HorizonRule::smoothstep}, {"exact", HorizonRule::exact}};
 
 }  // namespace example::hvl_render

@@ -130,7 +130,11 @@ void add_hvl_options(CLI::App& app, Options& options) {
   add_one_of(app, "--emission-bands", options.emission_bands, emission_bands(),
              "hvl: bands of the light that a virtual light sends out")
       ->group(group);
-  add_choice(app, "--horizon", horizon_names, options.horizon, "hvl: how the receiver's horizon cuts a light")
+  add_choice(
+      app, "--horizon", horizon_names, options.horizon,
+      "hvl: the share of a light that the receiver's horizon leaves. The material cuts there too; a second cut offsets "
+      "what spheres gain at grazing angles where all is visible. With --visibility centre none is nearer the "
+      "truth")
       ->group(group);
   add_choice(app, "--window", window_names, options.window, "hvl: what tames the ringing of the materials")
       ->group(group);

@@ -15,7 +15,7 @@ namespace example::hvl_render {
 
 enum class Method { vpl, vsl, vsgl, hvl, hvl_zonal, path };
 enum class RadiusRule { neighbours, field_of_view, fixed };  // r1, r2, metres
-enum class HorizonRule { smoothstep, exact };
+enum class HorizonRule { none, smoothstep, exact };
 
 /// What --light and its like replace in a scene.
 struct LightOverrides {

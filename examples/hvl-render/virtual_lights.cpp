@@ -45,12 +45,13 @@ zonal::VirtualLight shoot(const Scene& scene, const RayCaster& caster, const Mat
 }
 
 void set_radii(std::vector<zonal::VirtualLight>& map, int side, const Spotlight& spotlight, const Options& options) {
-  switch (options.radius) {
-    case RadiusRule::neighbours: zonal::set_neighbour_radii(map.data(), side, side, options.radius_factor); break;
-    case RadiusRule::field_of_view:
-      zonal::set_field_of_view_radii(map.data(), side * side, 2.0f * spotlight.half_angle, options.radius_factor);
-      break;
-    case RadiusRule::fixed: zonal::set_fixed_radii(map.data(), side * side, options.fixed_radius); break;
+  if (options.radius == RadiusRule::fixed) {
+    zonal::set_fixed_radii(map.data(), side * side, options.fixed_radius);
+    return;
+  }
+  zonal::set_field_of_view_radii(map.data(), side * side, 2.0f * spotlight.half_angle, options.radius_factor);
+  if (options.radius == RadiusRule::neighbours) {  // but for lights that have none
+    zonal::set_neighbour_radii(map.data(), side, side, options.radius_factor);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <glm/gtc/constants.hpp>
+#include <zonal/material/energy.hpp>
 
 #include "materials.hpp"
 #include "mesh_builder.hpp"
@@ -200,7 +201,7 @@ class Palette {
   std::uint32_t matte(const char* name, const glm::vec3& albedo) {
     if (finish_ != AtriumFinish::glossy) return add(name, example::matte(albedo));
     const zonal::SchlickFresnel lacquer{0.05f + 0.25f * albedo};
-    return add(name, {{zonal::LambertBrdf{0.7f * albedo}, zonal::GgxBrdf{0.2f, lacquer}}});
+    return add(name, zonal::coated({0.2f, lacquer}, albedo));
   }
 
   /// In the glossy atrium the same lacquer.

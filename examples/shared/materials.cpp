@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include <zonal/material/energy.hpp>
+
 namespace example {
 
 zonal::Brdf matte(const glm::vec3& albedo) { return {{zonal::LambertBrdf{albedo}}}; }
 
 zonal::Brdf plastic(const glm::vec3& albedo, float roughness) {
-  return {{zonal::LambertBrdf{albedo}, zonal::GgxBrdf{roughness, zonal::DielectricFresnel{1.5f}}}};
+  return zonal::coated({roughness, zonal::DielectricFresnel{1.5f}}, albedo);
 }
 
 zonal::Brdf metal(const Metal& metal, float roughness) { return {{zonal::GgxBrdf{roughness, metal.fresnel}}}; }

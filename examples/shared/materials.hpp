@@ -13,7 +13,7 @@ namespace example {
 
 zonal::Brdf matte(const glm::vec3& albedo);
 
-/// A diffuse body under a coat of refractive index 1.5.
+/// A diffuse body under a coat of refractive index 1.5; they share the light, and never reflect more than all.
 zonal::Brdf plastic(const glm::vec3& albedo, float roughness);
 
 /// A metal by the refractive index of its RGB primaries.

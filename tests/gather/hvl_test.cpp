@@ -150,7 +150,7 @@ TEST_CASE("gather: emission bands beyond the first change nothing for diffuse li
   }
 }
 
-TEST_CASE("gather: lights without power, area or material, and lights that are not lit, are exactly nothing") {
+TEST_CASE("gather: lights without power or material, and lights that are not lit, are exactly nothing") {
   const VirtualLight good = facing_light({0, 0, 2}, 0.5F, 3);
   REQUIRE(gather_one(good, receiver_on_the_floor()).x > 0);
   const auto is_nothing = [&](auto change) {
@@ -160,7 +160,6 @@ TEST_CASE("gather: lights without power, area or material, and lights that are n
     return cache.size() == 0 && gather_at<5, 1>(cache, receiver_on_the_floor()) == glm::vec3(0);
   };
   CHECK(is_nothing([](VirtualLight& light) { light.flux = glm::vec3(0); }));
-  CHECK(is_nothing([](VirtualLight& light) { light.radius = 0; }));
   CHECK(is_nothing([](VirtualLight& light) { light.material = nullptr; }));
   CHECK(is_nothing([](VirtualLight& light) { light.to_primary = -light.normal; }));
   CHECK(gather_at<5, 3>(zonal::HvlCache<3>(), receiver_on_the_floor()) == glm::vec3(0));
@@ -177,6 +176,18 @@ TEST_CASE("gather: lights below the receiver's horizon, or facing away, are exac
   VirtualLight turned = facing_light({0, 0, 2}, 0.5F, 3);
   turned.normal = turned.to_primary = glm::vec3(0, 0, 1);
   CHECK(gather_one(turned, receiver_on_the_floor()) == glm::vec3(0));
+}
+
+TEST_CASE("gather: a light centred on the horizon is whole without the horizon's factor, and half of it with one") {
+  const float half_angle = 1;
+  const VirtualLight light = facing_light({3, 0, 0}, 3 * std::sin(half_angle), 5);
+  Surface receiver = receiver_on_the_floor();
+  receiver.material = &materials().white.table;
+  // E / pi of the upper half of the cap
+  const float exact = 5 * (half_angle - std::sin(half_angle) * std::cos(half_angle)) / float(pi);
+  CHECK(gather_at<3, 3, Horizon::none>(zonal::HvlCache<3>({light}), receiver).x ==
+        Catch::Approx(exact).epsilon(0.03));  // 3 bands
+  CHECK(gather_at<5, 1>(zonal::HvlCache<1>({light}), receiver).x == Catch::Approx(0.5F * exact).epsilon(0.02));
 }
 
 TEST_CASE("gather: inside a light's sphere it is a hemisphere, without a step at the surface") {

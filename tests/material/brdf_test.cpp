@@ -153,6 +153,65 @@ TEST_CASE("fresnel: dielectrics by Snell's law, Brewster's angle and total inter
   CHECK(reflectance(zonal::SchlickFresnel{{0.25F, 0.5F, 1.0F}}, 1.0) == glm::dvec3(0.25, 0.5, 1.0));
 }
 
+TEST_CASE(
+    "fresnel: float is within its bound near index 1, near the critical angle, and where a metal hardly absorbs") {
+  // By complex arithmetic from the index itself: a + i b = sqrt((n - 1) (n + 1) + c^2), which cancels nowhere.
+  const auto exact = [](float c, float eta, float k) {
+    using Complex = std::complex<long double>;
+    const Complex n(eta, k);
+    const long double cosine = c;
+    const Complex t = std::sqrt((n - 1.0L) * (n + 1.0L) + cosine * cosine);
+    return double(0.5L *
+                  (std::norm((cosine - t) / (cosine + t)) + std::norm((n * n * cosine - t) / (n * n * cosine + t))));
+  };
+  const auto check = [&](float eta, float k, float cosine) {
+    if (!(cosine > 0.0F && cosine <= 1.0F)) return;
+    const zonal::ConductorFresnel fresnel{glm::vec3(eta), glm::vec3(k)};
+    const double expected = exact(cosine, eta, k);
+    const float in_float = reflectance(fresnel, cosine).x;
+    if (std::abs(double(in_float) - expected) <= 1e-6) return;
+    CAPTURE(eta, k, cosine, in_float, expected);
+    FAIL_CHECK("beyond 1e-6");
+  };
+  for (const float eta :
+       {1.0F, 1.0000001F, 1.00001F, 1.001F, 1.5F, 0.99999994F, 0.9999F, 0.99F, 0.9F, 0.6666667F, 0.1F, 0.001F}) {
+    for (const float k : {0.0F, 1e-6F, 1e-4F, 1e-2F, 0.1F, 1.0F, 1.4F, 10.0F}) {
+      for (int i = 0; i < 1000; ++i) {
+        check(eta, k, float(i) / 1000.0F);
+        check(eta, k, std::pow(10.0F, -float(i) / 50.0F));
+      }
+      const double critical = std::sqrt(std::fmax(1.0 + double(k) * double(k) - double(eta) * double(eta), 0.0));
+      for (int i = -300; i <= 300; ++i) {
+        check(eta, k, float(critical) * (1.0F + float(i) * 0x1p-24F));
+        check(eta, k, float(critical * (1.0 + std::copysign(std::pow(10.0, -std::abs(i) / 40.0), i))));
+      }
+    }
+  }
+  Random random(8);
+  for (int i = 0; i < 1000; ++i) {  // index 1 is no surface
+    const float cosine = i == 0 ? 0.0F : std::pow(10.0F, -10.0F * random());
+    CAPTURE(cosine);
+    CHECK(reflectance(zonal::DielectricFresnel{1.0F}, cosine).x == 0.0F);
+    CHECK(reflectance(zonal::DielectricFresnel{1.0F}, double(cosine)).x == 0.0);
+  }
+}
+
+TEST_CASE("ggx: no half vector, and roughness out of range, give finite numbers") {
+  using Vec3 = glm::vec<3, float>;
+  for (const Vec3& wo : {Vec3(0, 0, 1), Vec3(0.6F, 0, 0.8F), Vec3(1, 0, 1e-20F)}) {
+    const auto none = zonal::detail::half_vector(-wo, wo);
+    CHECK((none.squared_length == 0.0F && none.squared_sine == 0.0F && none.squared_cosine == 1.0F));
+    for (const float roughness : {0.0F, 1e-30F, 1e-3F, 1.0F, 1e30F}) {
+      const zonal::Brdf brdf = ggx(roughness, zonal::DielectricFresnel{1.5F});
+      for (const Vec3& wi : {wo, -wo, Vec3(-wo.x, 0, wo.z), Vec3(-wo.x, 0, -wo.z)}) {
+        CAPTURE(roughness, wo.z, wi.x, wi.z);
+        CHECK(std::isfinite(evaluate(brdf, wi, wo).x));
+        CHECK(std::isfinite(pdf(brdf, wi, wo)));
+      }
+    }
+  }
+}
+
 TEST_CASE("ggx: D is normalised, and so are the normals visible from anywhere") {
   for (const double alpha : {0.001, 0.01, 0.1, 0.5, 1.0}) {
     // tan(theta) = alpha tan(psi) makes the integrand smooth for every roughness

@@ -21,7 +21,7 @@ zonal::MaterialTable random_table(int bands, int angles, std::uint32_t seed = 21
     for (int i = 0; i < angles * bands * (bands + 1) / 2; ++i) table.emplace_back(random(), -random(), random());
   }
   rows[0][0] = {std::numeric_limits<float>::denorm_min(), -0.0F, std::numeric_limits<float>::max()};
-  return {bands, angles, 1.25e-5, rows[0], rows[1]};
+  return {bands, angles, 1.25e-5, rows[0], zonal::MirroredRows(rows[1])};
 }
 
 bool same_bits(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b) {
@@ -68,7 +68,9 @@ TEST_CASE("material file: what is saved comes back to the bit, over an older fil
 TEST_CASE("material file: its bytes are little-endian, as stated") {
   const Folder folder;
   const fs::path path = folder.path / "a.material";
-  zonal::save_material_table(path, {1, 1, 0.5, {{1.5F, 0.0F, -2.0F}}, {{0.0F, 0.0F, 1.0F}}}, 0x0102030405060708U);
+  zonal::save_material_table(path,
+                             {1, 1, 0.5, {{1.5F, 0.0F, -2.0F}}, zonal::MirroredRows(std::vector{glm::vec3(0, 0, 1)})},
+                             0x0102030405060708U);
   const std::string expected(
       "ZONALMAT\1\0\0\0\1\0\0\0\1\0\0\0\x8\7\6\5\4\3\2\1\0\0\0\0\0\0\xe0\x3f"
       "\0\0\xc0\x3f\0\0\0\0\0\0\0\xc0\0\0\0\0\0\0\0\0\0\0\x80\x3f",

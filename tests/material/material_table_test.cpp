@@ -1,4 +1,5 @@
 #include <zonal/material/material_table.hpp>
+#include <zonal/material/zonal_table.hpp>
 
 #include <type_traits>
 
@@ -74,6 +75,63 @@ TEST_CASE("table: the first bands of a large table are the small table") {
     CHECK(largest_difference(small.with_cosine<5>(cosine), large.with_cosine<5>(cosine)) == 0.0);
     CHECK(largest_difference(small.without_cosine<5>(cosine), large.without_cosine<5>(cosine)) == 0.0);
     CHECK(largest_difference(small.with_cosine<3>(cosine), large.with_cosine<3>(cosine)) == 0.0);
+  }
+}
+
+TEST_CASE("table: bands that a table does not have are zero, rows that were not given too, and no number is a row") {
+  const zonal::MaterialTable full = project_material(ggx(0.3F, gold()), 3);
+  const auto read = [](const zonal::MaterialTable& table, float cosine) { return table.with_cosine<21>(cosine); };
+  for (const float cosine : {1.0F, 0.7F, 0.0F, -1.0F, 1e30F, -1e30F, std::nanf(""), INFINITY, -INFINITY}) {
+    const auto few = full.with_cosine<3>(cosine);
+    const auto many = read(full, cosine);
+    CAPTURE(cosine);
+    for (int i = 0; i < many.size(); ++i) CHECK(many[i] == (i < few.size() ? few[i] : glm::vec3(0.0F)));
+    CHECK(std::isfinite(few[0].x));
+    CHECK(full.without_cosine<21>(cosine)(20, 20) == glm::vec3(0.0F));
+  }
+  CHECK(largest_difference(read(full, std::nanf("")), read(full, 0.0F)) == 0.0);
+
+  const zonal::Brdf phong{{zonal::PhongBrdf{glm::vec3(0.5F), 20.0F}}};
+  const zonal::ZonalTable zonal_table = zonal::project_zonal(phong, 4);
+  const auto lobe = zonal_table.glossy<21>(0.5F);
+  for (int l = 0; l < 21; ++l) CHECK((lobe[l] == glm::vec3(0.0F)) == (l >= 4));
+  CHECK(std::isfinite(zonal_table.glossy<4>(std::nanf(""))[0].x));
+}
+
+TEST_CASE("table: rows over the upper hemisphere are converted, and are taken in no other way") {
+  using Rows = std::vector<glm::vec3>;
+  static_assert(!std::is_constructible_v<zonal::MaterialTable, int, int, double, Rows, Rows>);
+  static_assert(!std::is_convertible_v<Rows, zonal::MirroredRows>);
+  for (const zonal::Brdf& brdf : {materials()[0].brdf, materials()[5].brdf, ggx(0.4F, gold())}) {
+    const zonal::MaterialTable table = project_material(brdf, 5);
+    // F' of the paper, by its definition: zero below the horizon.
+    Rows upper;
+    for (int row = 0; row < table.angles(); ++row) {
+      zonal::EvenSh<5, glm::dvec3> sum{};
+      if (row % 30 == 0) {
+        const glm::dvec3 wo = outgoing(row);
+        midpoint_hemisphere(400, 400, [&](const glm::dvec3& wi, double solid_angle) {
+          const auto basis = zonal::evaluate<5>(wi);
+          const glm::dvec3 weighted = evaluate(brdf, wi, wo) * solid_angle;
+          for (int l = 0; l < 5; ++l) {
+            for (int m = 0; m <= l; ++m) sum(l, m) += weighted * basis(l, m);
+          }
+        });
+      }
+      for (int i = 0; i < sum.size(); ++i) upper.push_back(glm::vec3(sum[i]));
+    }
+    const zonal::MaterialTable converted(5, table.angles(), 0.0, table.with_cosine_rows(),
+                                         zonal::MirroredRows::from_upper_hemisphere(upper, 5));
+    for (int row = 0; row < table.angles(); row += 30) {
+      double difference = 0.0, scale = 0.0;
+      for (std::size_t i = std::size_t(15 * row); i < std::size_t(15 * (row + 1)); ++i) {
+        const glm::dvec3 got(converted.without_cosine_rows()[i]), expected(table.without_cosine_rows()[i]);
+        difference = std::fmax(difference, largest(got - expected));
+        scale = std::fmax(scale, largest(expected));
+      }
+      CAPTURE(row, difference, scale);
+      CHECK(difference <= 2e-3 * scale);
+    }
   }
 }
 

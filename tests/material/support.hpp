@@ -1,7 +1,7 @@
 // Materials, random directions and plain quadratures for the tests of this room.
 #pragma once
 
-#include <zonal/material/sampling.hpp>
+#include <zonal/material/energy.hpp>
 
 #include <cmath>
 #include <cstdint>
@@ -40,6 +40,8 @@ inline std::vector<Named> materials() {
   for (float roughness : {0.01F, 0.02F, 0.1F, 0.5F, 1.0F}) {
     list.push_back({"gold " + std::to_string(roughness), ggx(roughness, gold())});
   }
+  list.push_back({"coated", zonal::coated({0.2F, zonal::DielectricFresnel{1.5F}}, {0.9F, 0.5F, 0.1F})});
+  list.push_back({"gold with bounces", zonal::with_multiple_scattering({0.7F, gold()})});
   return list;
 }
 

@@ -112,6 +112,7 @@ renders("comparison" "out out/difference.png out/hvl.exr out/hvl.png out/referen
 renders("quiet picture and report" "x.exr x.json" "" --scene box.obj --out x.exr --report x.json --reference reference.exr --quiet)
 renders("OBJ by both methods" "out out/difference.png out/hvl.exr out/hvl.png out/reference.exr out/reference.png" ""
   --scene box.obj --compare out --horizon exact --bounces 3)
+renders("no second horizon" "x.png" "" --scene box.obj --out x.png --horizon none --visibility centre)
 renders("OBJ without the stage" "x.png" "" --scene triangle.obj --no-stage --out x.png --method path)
 renders("the last of two equal options" "y.png" "" --scene box.obj --out x.png --out y.png)
 

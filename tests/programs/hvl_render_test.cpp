@@ -135,6 +135,19 @@ std::string error_of(const std::string& change) {
 
 }  // namespace
 
+TEST_CASE("a virtual light that no neighbour is lit beside has the radius that the cone's angle gives") {
+  const Scene scene = box_scene();
+  const RayCaster caster(scene);
+  Options options;
+  options.method = Method::vpl;
+  options.lights = 1;
+  options.radius = RadiusRule::field_of_view;
+  const float expected = shoot_virtual_lights(scene, caster, {}, options).lights[0].radius;
+  options.radius = RadiusRule::neighbours;
+  CHECK(expected > 0.0f);
+  CHECK(shoot_virtual_lights(scene, caster, {}, options).lights[0].radius == expected);
+}
+
 TEST_CASE("paths agree with brute-force quadrature, and with light tracing, within their error bar") {
   const Scene scene = box_scene();
   const RayCaster caster(scene);

@@ -11,6 +11,12 @@ namespace zonal {
 inline namespace ZONAL_TARGET {
 
 /// none: 1. smoothstep: an approximation. exact: the share of the cap's solid angle.
+///
+/// The receiver's material holds the clamped cosine, which cuts at the horizon already: what the material makes of the
+/// cap is whole with `none` (a diffuse light of 0.5 rad centred on the horizon: 0.999 of the exact light at 21 bands),
+/// and the factor of [1] takes of it a second time (0.500). But spheres that stand for a surface reach through it: next
+/// to that surface, seen at grazing angles, they give too much, and where every light is taken to be visible the second
+/// cut offsets that. So: the factor without visibility, none where rays decide which lights are seen.
 enum class Horizon { none, smoothstep, exact };
 
 /// H by smoothstep of the elevation, 0 to 1, within 0.097 of the exact share. [1] Eq. 22 prints the lower bound as a -

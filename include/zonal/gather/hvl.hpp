@@ -21,6 +21,7 @@
 // [1] Mezieres et al., Harmonics Virtual Lights, CGF 41(6), 2022.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "../basis/evaluate.hpp"
@@ -151,9 +152,9 @@ ZONAL_INLINE inline void hvl_radiance(const HvlRecord<NE, T, Emission>& light, c
   for (int c = 0; c < 3; ++c) radiance[c] = maximum(sent[c], T(0)) * geometry * reflected[c];
 }
 
-/// The virtual lights in packets. Lights without power, area or material are left out: they contribute exactly
-/// nothing. NE bands of emission; 1 is exact for diffuse emitters and needs no evaluation at all. Lights of anisotropic
-/// materials stand in packets of their own.
+/// The virtual lights in packets. Lights without power or material are left out: they contribute exactly nothing. One
+/// without area is a point light, for its radius counts as least_light_radius. NE bands of emission; 1 is exact for
+/// diffuse emitters and needs no evaluation at all. Lights of anisotropic materials stand in packets of their own.
 template <int NE>
 class HvlCache {
  public:
@@ -166,8 +167,7 @@ class HvlCache {
   HvlCache() = default;
   explicit HvlCache(const std::vector<VirtualLight>& lights) {
     for (const VirtualLight& light : lights) {
-      const bool shines =
-          light.flux != glm::vec3(0) && light.radius > 0 && glm::dot(light.normal, light.to_primary) > 0;
+      const bool shines = light.flux != glm::vec3(0) && glm::dot(light.normal, light.to_primary) > 0;
       if (shines && light.anisotropic != nullptr) {
         append_anisotropic(light);
       } else if (shines && light.material != nullptr) {
@@ -203,7 +203,8 @@ class HvlCache {
   template <class Emission, class Coefficients>
   static HvlRecord<NE, float, Emission> record(const VirtualLight& light, const glm::vec3& tangent,
                                                const Coefficients& reflected) {
-    const glm::vec3 scale = light.flux / (light.radius * light.radius);
+    const float radius = (std::max)(light.radius, least_light_radius);
+    const glm::vec3 scale = light.flux / (radius * radius);
     HvlRecord<NE, float, Emission> record;
     for (int i = 0; i < 3; ++i) {
       record.position[i] = light.position[i];
@@ -216,7 +217,7 @@ class HvlCache {
         for (int c = 0; c < 3; ++c) record.emission[c][Emission::index(l, m)] = sent[c];
       }
     }
-    record.radius = light.radius;
+    record.radius = radius;
     return record;
   }
 
@@ -238,7 +239,7 @@ glm::vec3 gather_from(const Lights& lights, const ReceiverFrame<typename Lights:
 }  // namespace detail
 
 /// Outgoing radiance, RGB, at the receiver from all lights of the cache: one bounce, N bands of the receiver's
-/// material (N <= its table's). Negative sums, which ringing can leave, are cut to zero.
+/// material, of which those beyond its table's are zero. Negative sums, which ringing can leave, are cut to zero.
 template <int N, int NE, Horizon method = Horizon::smoothstep>
 glm::vec3 gather(const HvlCache<NE>& cache, const Receiver& receiver, const MaterialTable& material,
                  const Visibility& visible = {}) {

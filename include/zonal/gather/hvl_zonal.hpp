@@ -63,8 +63,8 @@ ZONAL_INLINE inline void hvl_zonal_radiance(const LightRecord<T>& light, const B
   for (int c = 0; c < 3; ++c) radiance[c] = sent[c] * reflected[c] * scale;
 }
 
-/// Outgoing radiance, RGB, at the receiver from all lights of the cache: one bounce, N bands of the receiver's material
-/// (N <= its table's).
+/// Outgoing radiance, RGB, at the receiver from all lights of the cache: one bounce, N bands of the receiver's
+/// material, of which those beyond its table's are zero.
 template <int N>
 glm::vec3 gather_hvl_zonal(const LightCache& cache, const Receiver& receiver, const ZonalTable& material,
                            const Visibility& visible = {}) {
@@ -74,9 +74,10 @@ glm::vec3 gather_hvl_zonal(const LightCache& cache, const Receiver& receiver, co
   const Zh<N, glm::vec3> lobe = material.glossy<N>(cos_outgoing);
   ZonalReceiver<N, Lanes> local;
   local.is_diffuse = material.is_diffuse();
+  const glm::vec3 albedo = material.diffuse_albedo(cos_outgoing);
   for (int c = 0; c < 3; ++c) {
     local.mirror[c] = Lanes(mirror[c]);
-    local.diffuse[c] = Lanes(material.diffuse_albedo()[c]);
+    local.diffuse[c] = Lanes(albedo[c]);
     for (int l = 0; l < N; ++l) local.glossy[c][l] = Lanes(lobe[l][c]);
   }
   const auto frame = detail::frame_of<Lanes>(receiver);

@@ -97,7 +97,7 @@ class LightCache {
       record.flux[i] = light.flux[i];
       record.diffuse[i] = diffuse[i];
     }
-    record.radius = light.radius;
+    record.radius = (std::max)(light.radius, least_light_radius);
     // Two well spread sequences; [0, 1) up to a million lights.
     const double golden = 0.6180339887498949 * size(), plastic = 0.7548776662466927 * size();
     const double angle = 2.0 * double(kPi) * (golden - std::floor(golden));

@@ -14,7 +14,8 @@ inline namespace ZONAL_TARGET {
 
 /// r1 [1, Eq. 23]: the mean distance to the 8 neighbours in the map, weighted towards those at a similar distance from
 /// the primary light. `map` holds width * height lights, row by row; neighbours without flux do not count, and a
-/// light without any neighbour keeps the radius it has. `epsilon` is a length that guards the weight.
+/// light without any neighbour keeps the radius it has: set r2 before, or it is a point light. `epsilon` is a length
+/// that guards the weight.
 inline void set_neighbour_radii(VirtualLight* map, int width, int height, float factor, float epsilon = 1e-3F) {
   const auto is_dark = [](const VirtualLight& light) { return light.flux == glm::vec3(0); };
   for (int row = 0; row < height; ++row) {

@@ -22,7 +22,7 @@ ZONAL_INLINE inline void vpl_radiance(const LightRecord<T>& light, const Brdf& g
   const LightDirection<T> to_light = look_at(light, receiver);
   const glm::vec<3, T> incoming = detail::to_local(to_light.direction, receiver.normal, receiver.tangent);
   const T cos_light = maximum(T(0), -detail::dot3(to_light.direction, light.normal));
-  const T distance = maximum(to_light.distance, clamp * light.radius);
+  const T distance = maximum(maximum(to_light.distance, clamp * light.radius), T(least_light_radius));
   const T geometry = maximum(T(0), incoming.z) * cos_light / (distance * distance);
   T sent[3];
   detail::reflected_flux(light, glossy, to_light.direction, sent);
@@ -32,7 +32,7 @@ ZONAL_INLINE inline void vpl_radiance(const LightRecord<T>& light, const Brdf& g
 
 /// Outgoing radiance, RGB, at a receiver of material `brdf` from all lights of the cache: one bounce. `clamp` is in
 /// radii: a light nearer than that many of its own radii counts as standing there, which takes away the bright spots,
-/// and with them light; 0 leaves all as it is.
+/// and with them light; 0 leaves all as it is, down to the distance least_light_radius.
 inline glm::vec3 gather_vpl(const LightCache& cache, const Receiver& receiver, const Brdf& brdf, float clamp = 0.0F,
                             const Visibility& visible = {}) {
   using Lanes = PacketArray<LightRecord>::Lanes;

@@ -52,7 +52,8 @@ ZONAL_INLINE inline T gaussian_integral(const T& sharpness) {
 
 /// The sharpness of a GGX lobe about the mirror direction, as an SG [1, 1.1].
 inline float mirror_sharpness(float roughness, float cos_outgoing) {
-  return 0.5F / (roughness * roughness * (std::max)(cos_outgoing, 1e-3F));
+  const float alpha = ggx_alpha(roughness);
+  return 0.5F / (alpha * alpha * (std::max)(cos_outgoing, 1e-3F));
 }
 
 /// The sums of one component of a set of texels.
@@ -101,6 +102,9 @@ struct AddLobe {
     glossy.add(texel, reflectance, mirror, sharpness);
   }
   void operator()(const LambertBrdf& lobe) const { diffuse.add(texel, lobe.albedo, texel.normal, diffuse_sharpness); }
+  void operator()(const ResidualBrdf& lobe) const {
+    diffuse.add(texel, lobe.albedo * left_at(lobe, cosine()), texel.normal, diffuse_sharpness);
+  }
   void operator()(const PhongBrdf& lobe) const { add_glossy(lobe.specular_albedo, lobe.exponent); }
   void operator()(const GgxBrdf& lobe) const {
     add_glossy(reflectance(lobe.fresnel, cosine()), mirror_sharpness(lobe.roughness, cosine()));
@@ -114,9 +118,11 @@ struct AddLobe {
 }  // namespace detail
 
 /// A pair of lights, diffuse and glossy, for every block of `block` x `block` texels of the square map of `side` x
-/// `side` lights, row by row; a single pair where block >= side. Components that reflect nothing are left out.
+/// `side` lights, row by row; a single pair where block >= side; block is at least 1. Components that reflect nothing
+/// are left out.
 inline std::vector<GaussianLight> make_gaussian_lights(const VirtualLight* map, int side, int block) {
   std::vector<GaussianLight> lights;
+  block = (std::max)(block, 1);
   for (int top = 0; top < side; top += block) {
     for (int left = 0; left < side; left += block) {
       detail::GaussianSums diffuse, glossy;
@@ -213,9 +219,11 @@ ZONAL_INLINE inline GaussianProduct<T> product(const T (&a)[3], const T& a_sharp
 /// The light that comes in at x, [1] Eq. 7.
 template <class T>
 ZONAL_INLINE inline IncomingGaussian<T> incoming(const GaussianRecord<T>& light, const ReceiverFrame<T>& receiver) {
-  const auto [direction, distance] = look_at(light, receiver);
+  const auto [direction, apart] = look_at(light, receiver);
+  const T distance = minimum(apart, T(1e18L));  // its square is a number
   const T distance2 = distance * distance;
-  const T variance = maximum(light.variance, T(1e-6L) * distance2);  // a point is a very small Gaussian
+  // A point is a very small Gaussian.
+  const T variance = maximum(light.variance, maximum(T(1e-6L) * distance2, T(1e-18L)));
   const T back[3] = {-light.axis[0], -light.axis[1], -light.axis[2]};
   const auto both = product(direction, distance2 / variance, back, light.sharpness);
   const T scale = exp(both.exponent) / (T(2 * kPi) * variance);
@@ -245,12 +253,14 @@ struct GlossyLobe {
 /// The half vector turns by half of what the incoming direction turns in the plane of incidence, and by 1 / (2 cos) of
 /// it across: D = exp(-sin^2 / alpha^2) becomes an ASG.
 inline GlossyLobe mirror_lobe(float roughness, float cos_outgoing) {
-  const float in_plane = 0.25F / (roughness * roughness), cosine = (std::max)(cos_outgoing, 1e-3F);
+  const float alpha = ggx_alpha(roughness), cosine = (std::max)(cos_outgoing, 1e-3F);
+  const float in_plane = 0.25F / (alpha * alpha);
   return {in_plane, in_plane / (cosine * cosine)};
 }
 
 /// The ASG of each model, and its height in a direction wi, cosine included, RGB. wo, wi: in the receiver's frame.
 inline GlossyLobe glossy_lobe(const LambertBrdf&, const glm::vec3&) { return {0.0F, 0.0F}; }
+inline GlossyLobe glossy_lobe(const ResidualBrdf&, const glm::vec3&) { return {0.0F, 0.0F}; }
 inline GlossyLobe glossy_lobe(const PhongBrdf& brdf, const glm::vec3&) {
   return {0.5F * brdf.exponent, 0.5F * brdf.exponent};
 }
@@ -264,13 +274,17 @@ ZONAL_INLINE inline glm::vec<3, T> glossy_height(const LambertBrdf&, const glm::
   return glm::vec<3, T>(T(0));
 }
 template <class T>
+ZONAL_INLINE inline glm::vec<3, T> glossy_height(const ResidualBrdf&, const glm::vec<3, T>&, const glm::vec3&) {
+  return glm::vec<3, T>(T(0));
+}
+template <class T>
 ZONAL_INLINE inline glm::vec<3, T> glossy_height(const PhongBrdf& brdf, const glm::vec<3, T>& wi, const glm::vec3&) {
   const float normalisation = (brdf.exponent + 2.0F) / (2.0F * float(kPi));
   return glm::vec<3, T>(brdf.specular_albedo * normalisation) * maximum(wi.z, T(0));
 }
 template <class T>
 ZONAL_INLINE inline glm::vec<3, T> glossy_height(const GgxBrdf& brdf, const glm::vec<3, T>& wi, const glm::vec3& wo) {
-  const T alpha = T(brdf.roughness), cosine = maximum(wi.z, T(0));
+  const T alpha = T(ggx_alpha(brdf.roughness)), cosine = maximum(wi.z, T(0));
   const T cos_difference = T(0.5L) * sqrt(half_vector(wi, glm::vec<3, T>(wo)).squared_length);
   const T height = ggx_visibility(cosine, T(wo.z), alpha) * cosine / (T(kPi) * alpha * alpha);
   return reflectance(brdf.fresnel, cos_difference) * height;
@@ -280,8 +294,9 @@ ZONAL_INLINE inline glm::vec<3, T> glossy_height(const MeasuredBrdf& brdf, const
   return glm::vec<3, T>(brdf.specular_albedo * (0.5F * glossy_lobe(brdf, wo).sharpness() / float(kPi)));
 }
 
-inline glm::vec3 diffuse_reflectance(const Brdf& brdf) {
-  glm::vec3 sum = diffuse_albedo(brdf);
+/// The albedo of all that is diffuse, seen from cos_outgoing.
+inline glm::vec3 diffuse_reflectance(const Brdf& brdf, float cos_outgoing) {
+  glm::vec3 sum = diffuse_albedo(brdf, cos_outgoing);
   for (const BrdfLobe& lobe : brdf.lobes) {
     if (const auto* measured = std::get_if<MeasuredBrdf>(&lobe)) sum += measured->diffuse_albedo;
   }
@@ -315,10 +330,10 @@ template <class T>
 ZONAL_INLINE inline void vsgl_radiance(const GaussianRecord<T>& light, const ReceiverFrame<T>& receiver,
                                        const glm::vec3& outgoing, const Brdf& brdf, T (&radiance)[3]) {
   const auto gaussian = detail::incoming(light, receiver);
-  glm::vec<3, T> reflected =
-      glm::vec<3, T>(detail::diffuse_reflectance(brdf)) * detail::diffuse_integral(gaussian, receiver.normal);
+  glm::vec<3, T> reflected = glm::vec<3, T>(detail::diffuse_reflectance(brdf, outgoing.z)) *
+                             detail::diffuse_integral(gaussian, receiver.normal);
   for (const BrdfLobe& lobe : brdf.lobes) {
-    if (std::holds_alternative<LambertBrdf>(lobe)) continue;
+    if (is_diffuse(lobe) || !(outgoing.z > 0.0F)) continue;  // seen from behind: no lobe
     reflected = reflected +
                 std::visit([&](const auto& model)
                                ZONAL_INLINE { return detail::glossy_integral(model, gaussian, receiver, outgoing); },

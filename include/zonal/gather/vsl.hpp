@@ -11,7 +11,7 @@
 //     2009.
 #pragma once
 
-#include <cassert>
+#include <algorithm>
 #include <cmath>
 
 #include "../lobe/cap.hpp"
@@ -96,12 +96,17 @@ ZONAL_INLINE inline bool any(const mask_t<T>& mask) {
 template <class T>
 struct VslCap {
   T versine;      // 1 - cos of the half angle
-  T cap_density;  // 1/sr times the number of samples in the cap
+  T solid_angle;  // sr
+  T per_area;     // solid_angle / (pi r^2), without its 0 / 0 for a point
+  T cap_count;    // samples in the cap
   T brdf_count;   // samples by the BRDF
   T direction[3];
 
-  /// The balance heuristic's weight over the density.
-  ZONAL_INLINE T weight(const T& brdf_density) const { return T(1) / (cap_density + brdf_count * brdf_density); }
+  /// The balance heuristic's weight over the density, cap_count / solid_angle + brdf_count brdf_density, and over the
+  /// area of the light's disc.
+  ZONAL_INLINE T weight(const T& brdf_density) const {
+    return per_area / (cap_count + brdf_count * (brdf_density * solid_angle));
+  }
   /// By the chord, 2 - 2 cos, for the cosines of a small cap are all alike.
   ZONAL_INLINE mask_t<T> holds(const T (&w)[3]) const {
     const T chord[3] = {w[0] - direction[0], w[1] - direction[1], w[2] - direction[2]};
@@ -112,7 +117,8 @@ struct VslCap {
 }  // namespace detail
 
 /// The outgoing radiance that one light (or one packet of lights) causes, to radiance[3], RGB. `outgoing` is the
-/// direction to the eye in the receiver's frame. A receiver inside the sphere sees a hemisphere.
+/// direction to the eye in the receiver's frame. A receiver inside the sphere sees a hemisphere. A light of radius 0 is
+/// a point light, by the samples in its cap.
 template <class T>
 ZONAL_INLINE inline void vsl_radiance(const LightRecord<T>& light, const Brdf& glossy, const ReceiverFrame<T>& receiver,
                                       const glm::vec3& outgoing, const Brdf& brdf, const detail::VslSamples& samples,
@@ -120,8 +126,11 @@ ZONAL_INLINE inline void vsl_radiance(const LightRecord<T>& light, const Brdf& g
   const LightDirection<T> to_light = look_at(light, receiver);
   const auto shape = SphericalCap<T>::from_sphere(to_light.distance, light.radius);
   const T versine = shape.sin_angle * shape.sin_angle / (T(1) + shape.cos_angle);
+  const T apart = maximum(to_light.distance, light.radius);  // sin a = r / apart
   detail::VslCap<T> cap{versine,
-                        T(float(samples.cap_count)) / maximum(T(2 * kPi) * versine, T(1e-30L)),
+                        T(2 * kPi) * versine,
+                        T(2) / (maximum(apart * apart, T(1e-30L)) * (T(1) + shape.cos_angle)),
+                        T(float(samples.cap_count)),
                         T(float(samples.brdf_count)),
                         {}};
   for (int i = 0; i < 3; ++i) cap.direction[i] = to_light.direction[i];
@@ -161,20 +170,17 @@ ZONAL_INLINE inline void vsl_radiance(const LightRecord<T>& light, const Brdf& g
     const T density = samples.brdf_count > 0 ? pdf(brdf, incoming, outgoing) : T(0);
     add(w, evaluate(brdf, incoming, local_outgoing) * maximum(T(0), incoming.z), cap.weight(density));
   }
-
-  const T per_area = T(1) / maximum(T(kPi) * light.radius * light.radius, T(1e-30L));
-  for (int c = 0; c < 3; ++c) radiance[c] = radiance[c] * per_area;
 }
 
 /// Outgoing radiance, RGB, at a receiver of material `brdf` from all lights of the cache: one bounce. `samples` per
-/// light, 1 to kMaxVslSamples; uniform() returns random floats in [0, 1). Its mean over them is the formula above.
+/// light, of which 1 to kMaxVslSamples are taken; uniform() returns random floats in [0, 1). Its mean over them is the
+/// formula above.
 template <class Uniform>
 glm::vec3 gather_vsl(const LightCache& cache, const Receiver& receiver, const Brdf& brdf, int samples,
                      Uniform&& uniform, const Visibility& visible = {}) {
   using Lanes = PacketArray<LightRecord>::Lanes;
-  assert(1 <= samples && samples <= kMaxVslSamples);
   detail::VslSamples drawn;
-  detail::draw_vsl_samples(receiver, brdf, samples, uniform, drawn);
+  detail::draw_vsl_samples(receiver, brdf, std::clamp(samples, 1, kMaxVslSamples), uniform, drawn);
   const glm::vec3 tangent = detail::brdf_tangent(receiver, brdf);
   const auto frame = detail::frame_of<Lanes>(receiver, tangent);
   const glm::vec3 outgoing = detail::in_frame(receiver.outgoing, receiver.normal, tangent);

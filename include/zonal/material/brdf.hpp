@@ -16,6 +16,8 @@
 //     report CW 197, KU Leuven, 1994.
 // [4] M. Born, E. Wolf, "Principles of Optics", 7th edition, 1999, sections 1.5.2 and 14.2.
 // [5] C. Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", CGF 13(3), 1994.
+// [6] C. Kelemen, L. Szirmay-Kalos, "A Microfacet Based Coupled Specular-Matte BRDF Model with Importance Sampling",
+//     Eurographics 2001 short presentations.
 #pragma once
 
 #include <algorithm>
@@ -25,6 +27,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -67,7 +70,8 @@ struct SchlickFresnel {
 using Fresnel = std::variant<ConductorFresnel, DielectricFresnel, SchlickFresnel>;
 
 /// Isotropic GGX microfacets [1] with the height-correlated Smith masking-shadowing function [2] and single
-/// scattering. roughness is GGX's alpha itself (no squaring), 0.001 to 1.
+/// scattering, which loses up to 69 % of the energy at roughness 1; energy.hpp has the rest. roughness is GGX's alpha
+/// itself (no squaring), 0.001 to 1; below 1e-4 it counts as that, above 1 as 1.
 struct GgxBrdf {
   float roughness;
   Fresnel fresnel;
@@ -95,9 +99,24 @@ struct MeasuredBrdf {
   bool isotropic = true;  // else it is to be asked in the surface's own frame: directions with x along its tangent
 };
 
-using BrdfLobe = std::variant<LambertBrdf, PhongBrdf, GgxBrdf, MeasuredBrdf>;
+/// A diffuse lobe that reflects of what another lobe leaves the share `albedo`, RGB in [0, 1] [6]:
+///
+///   f = albedo left(wi) left(wo) / (pi mean),   mean = integral of left(wi) cos / pi dwi
+///
+/// It is reciprocal, and its albedo seen from wo is albedo left(wo), so that the two lobes together reflect at most
+/// all. energy.hpp makes it, for a body under a coat and for what light does between microfacets.
+struct ResidualBrdf {
+  static constexpr int degree = 13;
 
-/// A material: the sum of its lobes. Nothing checks that the sum conserves energy.
+  glm::vec3 albedo, mean;
+  float scale;                      // of the cosine: t = 2 sqrt((1 + scale) cos / (scale + cos)) - 1
+  glm::vec3 chebyshev[degree + 1];  // of left, the other lobe's albedo taken from 1, by polynomials in t
+};
+
+using BrdfLobe = std::variant<LambertBrdf, PhongBrdf, GgxBrdf, MeasuredBrdf, ResidualBrdf>;
+
+/// A material: the sum of its lobes. Nothing checks that the sum conserves energy: Lambert beside GGX does not, where
+/// energy.hpp has a material that does.
 struct Brdf {
   std::vector<BrdfLobe> lobes;
 };
@@ -140,9 +159,9 @@ T phong_lobe(const glm::vec<3, T>& wi, const glm::vec<3, T>& wo, T exponent) {
   return one_minus_cos < T(1) ? std::exp(exponent * std::log1p(-one_minus_cos)) : T(0);
 }
 
-/// The half vector of two directions above the horizon: its squared length before normalisation, |wi + wo|^2,
-/// and the squared sine and cosine of its angle to the normal. The sine comes from its own components, not
-/// from 1 - cos^2: GGX at a small roughness divides by it.
+/// The half vector of two directions: its squared length before normalisation, |wi + wo|^2, and the squared sine and
+/// cosine of its angle to the normal. The sine comes from its own components, not from 1 - cos^2: GGX at a small
+/// roughness divides by it. Two opposite directions have none; it is then the normal, of length 0.
 template <class T>
 struct HalfVector {
   T squared_length, squared_sine, squared_cosine;
@@ -151,12 +170,16 @@ struct HalfVector {
 template <class T>
 ZONAL_INLINE inline HalfVector<T> half_vector(const glm::vec<3, T>& wi, const glm::vec<3, T>& wo) {
   const glm::vec<3, T> h = wi + wo;
-  const T scale = maximum(maximum(abs(h.x), abs(h.y)), h.z);  // no underflow between two grazing directions
+  // no underflow between two grazing directions, and no 0 / 0 between two opposite ones
+  const T scale = maximum(maximum(maximum(abs(h.x), abs(h.y)), abs(h.z)), T(1e-37));
   const glm::vec<3, T> s = h * (T(1) / scale);
-  const T across = s.x * s.x + s.y * s.y, along = s.z * s.z;
+  const T across = s.x * s.x + s.y * s.y, along = maximum(s.z * s.z, T(1e-30));
   const T inverse = T(1) / (across + along);
   return {scale * scale * (across + along), across * inverse, along * inverse};
 }
+
+/// The roughness of a GGX lobe as its kernels take it: within what they give finite values for.
+inline float ggx_alpha(float roughness) { return clamp(roughness, 1e-4F, 1.0F); }
 
 /// D of [1] Eq. 33, in 1/sr: alpha^2 / (pi (cos^2 (alpha^2 - 1) + 1)^2), without its cancellation.
 template <class T>
@@ -179,20 +202,44 @@ ZONAL_INLINE inline T ggx_visibility(T cos_i, T cos_o, T alpha) {
   return T(0.5) / maximum(sum, T(1e-17));
 }
 
+/// The real part of (eta + i k)^2 - sin^2, where sin^2 = 1 - c^2. It is c^2 - D of a constant D, and changes its sign
+/// at the critical angle, where its square root magnifies every rounding: there it is a product of two factors, the
+/// constant in two parts.
+template <class T>
+ZONAL_INLINE inline T refracted_square(const T& c, float eta, float k) {
+  using Wide = std::conditional_t<(sizeof(lane_t<T>) > sizeof(float)), long double, double>;
+  const Wide n = Wide(eta), d = (Wide(1) - n) * (Wide(1) + n) + Wide(k) * Wide(k);
+  if (d <= Wide(0) || d >= Wide(2)) return c * c - T(d);
+  const Wide root = std::sqrt(d);
+  const auto high = lane_t<T>(root);
+  return ((c - T(high)) - T(root - Wide(high))) * (c + T(high));
+}
+
 /// Unpolarised Fresnel reflectance of a half space of index eta + i k, [4] section 1.5.2 carried to a complex
 /// index. With a + i b = sqrt((eta + i k)^2 - sin^2), both polarisations are ratios of sums of squares: no
 /// cancellation but the physical ones (index 1, Brewster's angle). k = 0 gives a dielectric, total internal
-/// reflection included.
+/// reflection included; there a - c = (eta^2 - 1) / (a + c), which is exactly 0 at index 1.
 template <class T>
-ZONAL_INLINE inline T fresnel_reflectance(T cos_angle, T eta, T k) {
-  const T c = clamp(cos_angle, T(1e-6), T(1));  // index 1 at grazing incidence would be 0 / 0
+ZONAL_INLINE inline T fresnel_reflectance(const T& cos_angle, float eta, float k) {
+  const T c = clamp(cos_angle, T(1e-18), T(1));  // index 1 at grazing incidence would be 0 / 0
   const T squared_sine = (T(1) - c) * (T(1) + c);
-  const T real = (eta - k) * (eta + k) - squared_sine;
-  const T modulus = sqrt(real * real + T(4) * eta * eta * k * k);
-  const T a = sqrt(maximum(T(0.5) * (modulus + real), T(0)));
-  const T b2 = maximum(T(0.5) * (modulus - real), T(0));
+  const T real = refracted_square(c, eta, k);
+  T a, b2, a_minus_c;
+  if (k == 0.0F) {
+    a = sqrt(maximum(real, T(0)));
+    b2 = maximum(-real, T(0));
+    const T eta2_minus_1 = (T(eta) - T(1)) * (T(eta) + T(1));
+    a_minus_c = select(real > T(0), eta2_minus_1 / (a + c), -c);
+  } else {
+    const T product = T(eta) * T(k);  // a b
+    const T larger = maximum(T(0.5) * (sqrt(real * real + T(4) * product * product) + abs(real)), T(1e-36));
+    const T smaller = product * (product / larger);
+    a = sqrt(select(real > T(0), larger, smaller));
+    b2 = select(real > T(0), smaller, larger);
+    a_minus_c = a - c;
+  }
   const auto square = [](const T& x) ZONAL_INLINE { return x * x; };
-  const T s_polarised = (square(a - c) + b2) / (square(a + c) + b2);
+  const T s_polarised = (square(a_minus_c) + b2) / (square(a + c) + b2);
   const T p_over_s = (square(a * c - squared_sine) + b2 * c * c) / (square(a * c + squared_sine) + b2 * c * c);
   return T(0.5) * s_polarised * (T(1) + p_over_s);
 }
@@ -203,14 +250,14 @@ ZONAL_INLINE inline T fresnel_reflectance(T cos_angle, T eta, T k) {
 /// Greatest error in float: 1e-6.
 template <class T>
 glm::vec<3, T> reflectance(const ConductorFresnel& fresnel, T cos_angle) {
-  const glm::vec<3, T> eta(fresnel.eta), k(fresnel.k);
+  const glm::vec3 &eta = fresnel.eta, &k = fresnel.k;
   return {detail::fresnel_reflectance(cos_angle, eta.x, k.x), detail::fresnel_reflectance(cos_angle, eta.y, k.y),
           detail::fresnel_reflectance(cos_angle, eta.z, k.z)};
 }
 
 template <class T>
 glm::vec<3, T> reflectance(const DielectricFresnel& fresnel, T cos_angle) {
-  return glm::vec<3, T>(detail::fresnel_reflectance(cos_angle, T(fresnel.eta), T(0)));
+  return glm::vec<3, T>(detail::fresnel_reflectance(cos_angle, fresnel.eta, 0.0F));
 }
 
 template <class T>
@@ -246,8 +293,7 @@ glm::vec<3, T> evaluate(const PhongBrdf& brdf, const glm::vec<3, T>& wi, const g
 /// [1] Eq. 20 with the height-correlated G2 of [2] Eq. 99.
 template <class T>
 glm::vec<3, T> evaluate(const GgxBrdf& brdf, const glm::vec<3, T>& wi, const glm::vec<3, T>& wo) {
-  assert(brdf.roughness > 0.0F && brdf.roughness <= 1.0F);
-  const T alpha = T(brdf.roughness);
+  const T alpha = T(detail::ggx_alpha(brdf.roughness));
   const auto h = detail::half_vector(wi, wo);
   const T cos_difference = T(0.5) * sqrt(h.squared_length);  // wi . h = |wi + wo| / 2 for unit vectors
   const glm::vec<3, T> value = reflectance(brdf.fresnel, cos_difference) *
@@ -262,6 +308,33 @@ glm::vec<3, T> evaluate(const MeasuredBrdf& brdf, const glm::vec<3, T>& wi, cons
   } else {
     return detail::by_lanes(wi, wo, [&](const auto& i, const auto& o) { return evaluate(brdf, i, o); });
   }
+}
+
+/// The share, RGB in [0, 1], that the other lobe leaves of the light at cos_angle in [0, 1] to the normal.
+template <class T>
+ZONAL_INLINE inline glm::vec<3, T> left_at(const ResidualBrdf& brdf, const T& cos_angle) {
+  const T cosine = clamp(cos_angle, T(0), T(1)), scale = T(brdf.scale);
+  const T t2 = T(4) * sqrt((T(1) + scale) * cosine / (scale + cosine)) - T(2);  // 2 t
+  const auto term = [&](int k) ZONAL_INLINE { return glm::vec<3, T>(brdf.chebyshev[k]); };
+  glm::vec<3, T> next(T(0)), sum = term(ResidualBrdf::degree);  // Clenshaw's
+  for (int k = ResidualBrdf::degree - 1; k >= 1; --k) {
+    const glm::vec<3, T> before = sum * t2 - next + term(k);
+    next = sum;
+    sum = before;
+  }
+  const glm::vec<3, T> left = sum * (T(0.5) * t2) - next + term(0);
+  return {clamp(left.x, T(0), T(1)), clamp(left.y, T(0), T(1)), clamp(left.z, T(0), T(1))};
+}
+
+template <class T>
+glm::vec<3, T> evaluate(const ResidualBrdf& brdf, const glm::vec<3, T>& wi, const glm::vec<3, T>& wo) {
+  const glm::vec<3, T> mean(brdf.mean), normalised = glm::vec<3, T>(brdf.albedo) * T(1 / kPi);
+  const glm::vec<3, T> both = left_at(brdf, wi.z) * left_at(brdf, wo.z) * normalised;
+  // Where next to nothing is left, there is no mean to divide by.
+  const T least = T(1e-12);
+  const glm::vec<3, T> value(both.x / maximum(mean.x, least), both.y / maximum(mean.y, least),
+                             both.z / maximum(mean.z, least));
+  return detail::or_black<T>(detail::above_horizon(wi, wo), value);
 }
 
 template <class T>
@@ -292,6 +365,20 @@ inline bool is_isotropic(const Brdf& brdf) {
     if (measured != nullptr && !measured->isotropic) return false;
   }
   return true;
+}
+
+/// A lobe that looks nearly the same from everywhere: Lambert's, and what another lobe leaves.
+inline bool is_diffuse(const BrdfLobe& lobe) {
+  return std::holds_alternative<LambertBrdf>(lobe) || std::holds_alternative<ResidualBrdf>(lobe);
+}
+
+/// The albedo of all lobes of is_diffuse, seen from cos_outgoing in [0, 1].
+inline glm::vec3 diffuse_albedo(const Brdf& brdf, float cos_outgoing) {
+  glm::vec3 sum = diffuse_albedo(brdf);
+  for (const BrdfLobe& lobe : brdf.lobes) {
+    if (const auto* body = std::get_if<ResidualBrdf>(&lobe)) sum += body->albedo * left_at(*body, cos_outgoing);
+  }
+  return sum;
 }
 
 /// A material's lobes other than Lambert's.

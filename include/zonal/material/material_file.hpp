@@ -131,7 +131,7 @@ inline MaterialTable load_material_table(const std::filesystem::path& path) {
   reader.check_the_end();
   const MaterialFileHeader& header = reader.header();
   return MaterialTable(header.bands, header.angles, header.achieved_error, std::move(with_cosine),
-                       std::move(without_cosine));
+                       MirroredRows(std::move(without_cosine)));
 }
 
 /// To be raised with every change of how a file is read or projected that changes its table: 2 since RGL materials are

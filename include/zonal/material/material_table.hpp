@@ -31,20 +31,51 @@ inline namespace ZONAL_TARGET {
 namespace detail {
 
 /// The first coefficients of the row at an outgoing angle, of a table with one row per degree (or one row in all):
-/// linear in the angle, constant beyond the last row.
+/// linear in the angle, constant beyond the last row, which also answers what is no number. Where more are asked for
+/// than a row holds, the rest stays as it is.
 template <class Coefficients>
 void interpolate_rows(const std::vector<glm::vec3>& table, int angles, float cos_outgoing, Coefficients& result) {
   const float degrees = acos(clamp(cos_outgoing, -1.0F, 1.0F)) * float(180 / kPi);
-  const float position = (std::min)(degrees, float(angles - 1));
+  const float last = float(angles - 1), position = degrees < last ? degrees : last;
   const int below = int(position), above = (std::min)(below + 1, angles - 1);
   const float t = position - float(below);
   const int row_size = int(table.size()) / angles;
   const glm::vec3* row_below = table.data() + below * row_size;
   const glm::vec3* row_above = table.data() + above * row_size;
-  for (int i = 0; i < result.size(); ++i) result[i] = row_below[i] + t * (row_above[i] - row_below[i]);
+  for (int i = 0; i < (std::min)(int(result.size()), row_size); ++i)
+    result[i] = row_below[i] + t * (row_above[i] - row_below[i]);
 }
 
 }  // namespace detail
+
+/// F' as MaterialTable and HVL want it: of the BRDF mirrored at the surface, f(x, y, |z|), which doubles the
+/// coefficients of even l + m and leaves none of odd. Projections that take f to be zero below the surface, as [1]
+/// does, have to be converted: read as if they were mirrored they would give exactly half the light. Hence a type of
+/// its own.
+class MirroredRows {
+ public:
+  /// Rows of coefficients, each (l, m) at l (l + 1) / 2 + m, that are of the mirrored BRDF already.
+  explicit MirroredRows(std::vector<glm::vec3> rows) : rows_(std::move(rows)) {}
+
+  /// Rows of `bands` bands each, as [1] defines F': the integrals over the upper hemisphere alone. Exact.
+  static MirroredRows from_upper_hemisphere(std::vector<glm::vec3> rows, int bands) {
+    auto coefficient = rows.begin();
+    while (coefficient != rows.end()) {
+      for (int l = 0; l < (std::max)(bands, 1); ++l) {
+        for (int m = 0; m <= l && coefficient != rows.end(); ++m) {
+          *coefficient++ *= is_even_in_z(l, m) ? 2.0F : 0.0F;
+        }
+      }
+    }
+    return MirroredRows(std::move(rows));
+  }
+
+  const std::vector<glm::vec3>& rows() const& { return rows_; }
+  std::vector<glm::vec3> rows() && { return std::move(rows_); }
+
+ private:
+  std::vector<glm::vec3> rows_;
+};
 
 /// F (with cosine) and F' (without), RGB, of an isotropic material: see projection.hpp for the two and for
 /// their frame.
@@ -65,9 +96,9 @@ class MaterialTable {
 
   /// One projection per degree, or a single one; the first `bands` bands of each are kept, 1 to 21.
   MaterialTable(const std::vector<BrdfProjection<max_bands>>& projections, int bands)
-      : bands_(bands), angles_(int(projections.size())) {
-    assert(1 <= bands && bands <= max_bands);
-    assert(angles_ == 1 || angles_ == max_angles);
+      : bands_(std::clamp(bands, 1, max_bands)), angles_((std::max)(int(projections.size()), 1)) {
+    assert(bands_ == bands);
+    assert(projections.size() == 1 || projections.size() == max_angles);
     const auto append = [this](std::vector<glm::vec3>& table, const EvenSh<max_bands, glm::dvec3>& sh) {
       for (int i = 0; i < row_size(); ++i) table.push_back(glm::vec3(sh[i]));
     };
@@ -76,20 +107,22 @@ class MaterialTable {
       append(without_cosine_, projection.without_cosine);
       achieved_error_ = (std::max)(achieved_error_, projection.error);
     }
+    fill();
   }
 
   /// All rows as with_cosine_rows() and without_cosine_rows() return them, `angles` (90, or 1) times
-  /// bands (bands + 1) / 2 coefficients, and the error that achieved_error() is to return: a table from a file.
+  /// bands (bands + 1) / 2 coefficients, and the error that achieved_error() is to return: a table from a file. What is
+  /// missing of the rows is zero.
   MaterialTable(int bands, int angles, double achieved_error, std::vector<glm::vec3> with_cosine,
-                std::vector<glm::vec3> without_cosine)
-      : bands_(bands),
-        angles_(angles),
+                MirroredRows without_cosine)
+      : bands_(std::clamp(bands, 1, max_bands)),
+        angles_(std::clamp(angles, 1, max_angles)),
         achieved_error_(achieved_error),
         with_cosine_(std::move(with_cosine)),
-        without_cosine_(std::move(without_cosine)) {
-    assert(1 <= bands && bands <= max_bands);
-    assert(angles_ == 1 || angles_ == max_angles);
+        without_cosine_(std::move(without_cosine).rows()) {
+    assert(bands_ == bands && angles_ == angles && (angles == 1 || angles == max_angles));
     assert(with_cosine_.size() == std::size_t(angles_ * row_size()) && without_cosine_.size() == with_cosine_.size());
+    fill();
   }
 
   int bands() const { return bands_; }
@@ -101,7 +134,8 @@ class MaterialTable {
   /// over all rows.
   double achieved_error() const { return achieved_error_; }
 
-  /// F at the outgoing direction whose z is cos_outgoing, in [-1, 1] up to rounding. N <= bands().
+  /// F at the outgoing direction whose z is cos_outgoing, in [-1, 1] up to rounding. Bands that the table does not have
+  /// are zero.
   template <int N>
   EvenSh<N, glm::vec3> with_cosine(float cos_outgoing) const {
     return interpolate<N>(with_cosine_, cos_outgoing);
@@ -134,10 +168,15 @@ class MaterialTable {
   MaterialTable windowed(Window window) const { return windowed(window, bands_); }
 
  private:
+  /// Whatever was given, the rows are all there.
+  void fill() {
+    with_cosine_.resize(std::size_t(angles_ * row_size()), glm::vec3(0.0F));
+    without_cosine_.resize(with_cosine_.size(), glm::vec3(0.0F));
+  }
+
   template <int N>
   EvenSh<N, glm::vec3> interpolate(const std::vector<glm::vec3>& table, float cos_outgoing) const {
     static_assert(1 <= N && N <= max_bands, "bands out of range: 1 <= N <= 21");
-    assert(N <= bands_);
     EvenSh<N, glm::vec3> result{};
     detail::interpolate_rows(table, angles_, cos_outgoing, result);
     return result;

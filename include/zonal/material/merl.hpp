@@ -65,8 +65,12 @@ class MerlBrdf {
   static constexpr int theta_half_bins = 90, theta_difference_bins = 90, phi_difference_bins = 180;
   static constexpr std::size_t bins = std::size_t{theta_half_bins} * theta_difference_bins * phi_difference_bins;
 
-  /// One sample per bin, RGB in 1/sr, phi_difference fastest, then theta_difference; negative: not measured.
-  explicit MerlBrdf(std::vector<glm::vec3> samples) : samples_(std::move(samples)) { assert(samples_.size() == bins); }
+  /// One sample per bin, RGB in 1/sr, phi_difference fastest, then theta_difference; negative, or missing: not
+  /// measured.
+  explicit MerlBrdf(std::vector<glm::vec3> samples) : samples_(std::move(samples)) {
+    assert(samples_.size() == bins);
+    samples_.resize(bins, glm::vec3(-1.0F));
+  }
 
   const std::vector<glm::vec3>& samples() const { return samples_; }
 

@@ -39,6 +39,9 @@ inline float approximate_albedo(const GgxBrdf& brdf, const glm::vec3& wo) {
 inline float approximate_albedo(const MeasuredBrdf& brdf, const glm::vec3&) {
   return mean(brdf.diffuse_albedo) + mean(brdf.specular_albedo);
 }
+inline float approximate_albedo(const ResidualBrdf& brdf, const glm::vec3& wo) {
+  return mean(brdf.albedo * left_at(brdf, wo.z));
+}
 inline float approximate_albedo(const BrdfLobe& lobe, const glm::vec3& wo) {
   return std::visit([&](const auto& model) { return approximate_albedo(model, wo); }, lobe);
 }
@@ -52,6 +55,16 @@ inline glm::vec3 sample_lobe(const LambertBrdf&, const glm::vec3&, const glm::ve
 template <class T>
 ZONAL_INLINE inline T lobe_pdf(const LambertBrdf&, const glm::vec<3, T>& wi, const glm::vec3&) {
   return wi.z * T(1 / kPi);
+}
+
+/// The same: what is left varies little over the cosine.
+inline glm::vec3 sample_lobe(const ResidualBrdf&, const glm::vec3& wo, const glm::vec2& u) {
+  return sample_lobe(LambertBrdf{}, wo, u);
+}
+
+template <class T>
+ZONAL_INLINE inline T lobe_pdf(const ResidualBrdf&, const glm::vec<3, T>& wi, const glm::vec3& wo) {
+  return lobe_pdf(LambertBrdf{}, wi, wo);
 }
 
 /// v, given in a frame whose z axis is `axis`, in the frame of `axis` [3]. axis.z >= 0 keeps clear of the
@@ -83,30 +96,32 @@ T lobe_pdf(const PhongBrdf& brdf, const glm::vec<3, T>& wi, const glm::vec3& wo)
 }
 
 /// A normal of the microfacets seen from wo, [1] appendix A.
-inline glm::vec3 sample_visible_normal(float alpha, const glm::vec3& wo, const glm::vec2& u) {
-  const glm::vec3 view = glm::normalize(glm::vec3(alpha * wo.x, alpha * wo.y, wo.z));
-  const float squared_sine = view.x * view.x + view.y * view.y;
-  const glm::vec3 t1 =
-      squared_sine > 0.0F ? glm::vec3(-view.y, view.x, 0.0F) / std::sqrt(squared_sine) : glm::vec3(1.0F, 0.0F, 0.0F);
-  const glm::vec3 t2 = glm::cross(view, t1);
-  const float radius = std::sqrt(u.x), phi = 2.0F * float(kPi) * u.y;
-  const float p1 = radius * std::cos(phi);
-  const float blend = 0.5F * (1.0F + view.z);
-  const float p2 = (1.0F - blend) * std::sqrt((std::max)(0.0F, 1.0F - p1 * p1)) + blend * radius * std::sin(phi);
-  const glm::vec3 n = p1 * t1 + p2 * t2 + std::sqrt((std::max)(0.0F, 1.0F - p1 * p1 - p2 * p2)) * view;
-  return glm::normalize(glm::vec3(alpha * n.x, alpha * n.y, (std::max)(1e-6F, n.z)));
+template <class T>
+glm::vec<3, T> sample_visible_normal(T alpha, const glm::vec<3, T>& wo, const glm::vec<2, T>& u) {
+  using Vec3 = glm::vec<3, T>;
+  const Vec3 view = glm::normalize(Vec3(alpha * wo.x, alpha * wo.y, wo.z));
+  const T squared_sine = view.x * view.x + view.y * view.y;
+  const Vec3 t1 = squared_sine > T(0) ? Vec3(-view.y, view.x, T(0)) / std::sqrt(squared_sine) : Vec3(T(1), T(0), T(0));
+  const Vec3 t2 = glm::cross(view, t1);
+  const T radius = std::sqrt(u.x), phi = T(2) * T(kPi) * u.y;
+  const T p1 = radius * std::cos(phi);
+  const T blend = T(0.5) * (T(1) + view.z);
+  const T p2 = (T(1) - blend) * std::sqrt((std::max)(T(0), T(1) - p1 * p1)) + blend * radius * std::sin(phi);
+  const Vec3 n = p1 * t1 + p2 * t2 + std::sqrt((std::max)(T(0), T(1) - p1 * p1 - p2 * p2)) * view;
+  return glm::normalize(Vec3(alpha * n.x, alpha * n.y, (std::max)(T(1e-6), n.z)));
 }
 
 inline glm::vec3 sample_lobe(const GgxBrdf& brdf, const glm::vec3& wo, const glm::vec2& u) {
-  const glm::vec3 h = sample_visible_normal(brdf.roughness, wo, u);
+  const glm::vec3 h = sample_visible_normal(ggx_alpha(brdf.roughness), wo, u);
   return 2.0F * glm::dot(wo, h) * h - wo;
 }
 
 /// [1] Eq. 17, G1 D / (4 cos_o), with cos_o cancelled.
 template <class T>
 ZONAL_INLINE inline T lobe_pdf(const GgxBrdf& brdf, const glm::vec<3, T>& wi, const glm::vec3& wo) {
-  const T distribution = ggx_distribution(half_vector(wi, glm::vec<3, T>(wo)), T(brdf.roughness));
-  return distribution * T(0.5F / (wo.z + ggx_projected_length(wo.z, brdf.roughness)));
+  const float alpha = ggx_alpha(brdf.roughness);
+  const T distribution = ggx_distribution(half_vector(wi, glm::vec<3, T>(wo)), T(alpha));
+  return distribution * T(0.5F / (std::max)(wo.z + ggx_projected_length(wo.z, alpha), 1e-30F));
 }
 
 /// The diffuse and the GGX lobe that stand beside a measured material, in proportion to their albedos.
@@ -178,8 +193,8 @@ T pdf(const Brdf& brdf, const glm::vec<3, T>& wi, const glm::vec3& wo) {
 }
 
 /// A random direction towards the light. u_lobe in [0, 1) chooses the lobe, in proportion to its approximate
-/// albedo; u in [0, 1)^2 the direction: cosine-weighted for Lambert, cos^n about the mirror direction for
-/// Phong [2], by visible normals for GGX [1].
+/// albedo; u in [0, 1)^2 the direction: cosine-weighted for Lambert and what other lobes leave, cos^n about the mirror
+/// direction for Phong [2], by visible normals for GGX [1].
 inline BrdfSample sample(const Brdf& brdf, const glm::vec3& wo, float u_lobe, glm::vec2 u) {
   const BrdfLobe* lobe = wo.z > 0.0F ? detail::choose_lobe(brdf, wo, u_lobe) : nullptr;
   if (lobe == nullptr) return {glm::vec3(0.0F, 0.0F, 1.0F), 0.0F};

@@ -78,27 +78,40 @@ Zh<N, glm::dvec3> project_mirror_lobe(const BrdfNodes& nodes, double cos_outgoin
 
 }  // namespace detail
 
-/// The diffuse albedo of a material, and the zonal coefficients of its glossy part, RGB, without cosine, by outgoing
-/// angle: rows as those of MaterialTable, none for a diffuse material.
+/// The diffuse albedo of a material, by outgoing angle where another lobe takes of the light before, and the zonal
+/// coefficients of its glossy part, RGB, without cosine, by outgoing angle: rows as those of MaterialTable, none for a
+/// diffuse material.
 class ZonalTable {
  public:
   static constexpr int max_bands = MaterialTable::max_bands;
   static constexpr int max_angles = MaterialTable::max_angles;
 
-  ZonalTable(const glm::vec3& diffuse_albedo, int bands, std::vector<glm::vec3> rows)
-      : diffuse_albedo_(diffuse_albedo), bands_(bands), rows_(std::move(rows)) {
-    assert(1 <= bands && bands <= max_bands);
+  /// `albedos`, 90 or none, are added to the diffuse albedo, by outgoing angle.
+  ZonalTable(const glm::vec3& diffuse_albedo, int bands, std::vector<glm::vec3> rows,
+             std::vector<glm::vec3> albedos = {})
+      : diffuse_albedo_(diffuse_albedo),
+        bands_(std::clamp(bands, 1, max_bands)),
+        rows_(std::move(rows)),
+        albedos_(std::move(albedos)) {
+    assert(bands_ == bands);
     assert(rows_.empty() || rows_.size() == std::size_t(max_angles * bands));
+    if (!rows_.empty()) rows_.resize(std::size_t(max_angles * bands_), glm::vec3(0.0F));  // what is missing is zero
+    if (!albedos_.empty()) albedos_.resize(std::size_t(max_angles), glm::vec3(0.0F));
   }
 
-  const glm::vec3& diffuse_albedo() const { return diffuse_albedo_; }
+  /// At the outgoing direction whose z is cos_outgoing.
+  glm::vec3 diffuse_albedo(float cos_outgoing) const {
+    Zh<1, glm::vec3> angular{};
+    if (!albedos_.empty()) detail::interpolate_rows(albedos_, max_angles, cos_outgoing, angular);
+    return diffuse_albedo_ + angular[0];
+  }
   int bands() const { return bands_; }
   bool is_diffuse() const { return rows_.empty(); }
 
-  /// The glossy lobe about the mirror direction at the outgoing direction whose z is cos_outgoing. N <= bands().
+  /// The glossy lobe about the mirror direction at the outgoing direction whose z is cos_outgoing. Bands that the table
+  /// does not have are zero.
   template <int N>
   Zh<N, glm::vec3> glossy(float cos_outgoing) const {
-    assert(N <= bands_);
     Zh<N, glm::vec3> result{};
     if (!is_diffuse()) detail::interpolate_rows(rows_, max_angles, cos_outgoing, result);
     return result;
@@ -107,21 +120,26 @@ class ZonalTable {
  private:
   glm::vec3 diffuse_albedo_;
   int bands_;
-  std::vector<glm::vec3> rows_;
+  std::vector<glm::vec3> rows_, albedos_;
 };
 
-/// The zonal table of a material: its Lambert lobes are the diffuse part, all else the glossy one. See project_material
-/// for the tolerance.
+/// The zonal table of a material: the lobes of is_diffuse are the diffuse part, all else the glossy one. See
+/// project_material for the tolerance.
 template <class ForEach = SerialForEach>
 ZonalTable project_zonal(const Brdf& brdf, int bands, double tolerance = 1e-4, ForEach&& for_each = {}) {
   constexpr int all_bands = ZonalTable::max_bands;
   const glm::vec3 diffuse = diffuse_albedo(brdf);
-  Brdf glossy, by_nodes;
+  Brdf glossy, by_nodes, bodies;
   for (const BrdfLobe& lobe : glossy_part(brdf).lobes) {
-    (detail::has_own_nodes(lobe) ? by_nodes : glossy).lobes.push_back(lobe);
+    (is_diffuse(lobe) ? bodies : detail::has_own_nodes(lobe) ? by_nodes : glossy).lobes.push_back(lobe);
   }
-  if (glossy.lobes.empty() && by_nodes.lobes.empty()) return {diffuse, bands, {}};
+  std::vector<glm::vec3> albedos;
+  for (int angle = 0; !bodies.lobes.empty() && angle < ZonalTable::max_angles; ++angle) {
+    albedos.push_back(diffuse_albedo(bodies, float(std::cos(double(kPi) / 180.0 * angle))));
+  }
+  if (glossy.lobes.empty() && by_nodes.lobes.empty()) return {diffuse, bands, {}, std::move(albedos)};
 
+  bands = std::clamp(bands, 1, ZonalTable::max_bands);
   std::vector<glm::vec3> rows(std::size_t(ZonalTable::max_angles * bands));
   const auto function = [&glossy](const glm::dvec3& wi, const glm::dvec3& wo) { return evaluate(glossy, wi, wo); };
   const ProjectionQuadrature quadrature;
@@ -136,7 +154,7 @@ ZonalTable project_zonal(const Brdf& brdf, int bands, double tolerance = 1e-4, F
     }
     for (int l = 0; l < bands; ++l) rows[std::size_t(angle * bands + l)] = glm::vec3(sum[l]);
   });
-  return {diffuse, bands, std::move(rows)};
+  return {diffuse, bands, std::move(rows), std::move(albedos)};
 }
 
 }  // namespace ZONAL_TARGET

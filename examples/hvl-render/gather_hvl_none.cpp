@@ -1,0 +1,7 @@
+#include "gather_hvl.hpp"
+
+namespace example::hvl_render {
+
+template std::unique_ptr<Gatherer> make_hvl<zonal::Horizon::none>(const GatherInput& input);
+
+}  // namespace example::hvl_render

@@ -119,7 +119,7 @@ glm::dvec3 by_light_tracing(const Scene& scene, const RayCaster& caster, const s
   const auto visible = [&](const glm::vec3& position, const glm::vec3& normal) {
     return caster.visible(hit, Hit{position, normal, normal, 0.0f, 0});
   };
-  return glm::dvec3(gather_vpl(cache, {hit.position, hit.normal, to_camera(scene, hit)},
+  return glm::dvec3(gather_vpl(cache, {hit.position, hit.normal, to_camera(scene, hit), hit.tangent},
                                scene.materials[hit.material].brdf, 0.0f, visible));
 }
 
@@ -365,11 +365,19 @@ TEST_CASE("materials: an anisotropic file is gathered in the surface's own frame
     const MaterialTables own = method == Method::hvl ? tables : project_materials(scene.materials, options);
     const VirtualLightMap map = shoot_virtual_lights(scene, caster, own, options);
     const auto gatherer = make_gatherer({scene, caster, own, map, options});
-    const glm::vec3 radiance = gatherer->indirect_radiance(*hit, towards_camera(scene, *hit), 0);
+    const glm::vec3 radiance = gatherer->indirect_radiance(*hit, to_camera(scene, *hit), 0);
     CAPTURE(static_cast<int>(method), radiance.x, radiance.y, radiance.z);
     for (int c = 0; c < 3; ++c) CHECK((std::isfinite(radiance[c]) && radiance[c] >= 0.0f));
   }
   CHECK(tables.anisotropic[0]->rows_built() > 0);
+  // Paths know nothing of virtual lights, but of the same frames.
+  const auto lights = lit(points_of(scene, caster, 200));
+  const PathTracer tracer(scene, caster, {16384, 1, 7}, 1);
+  for (const Hit& at : some_hits(scene, caster)) {
+    const glm::dvec3 tracing = by_light_tracing(scene, caster, lights, at), paths(tracer.indirect_radiance(at, 1));
+    CAPTURE(at.normal.x, at.normal.y, at.normal.z, tracing.x, paths.x);
+    CHECK(std::abs(tracing.x - paths.x) <= 0.04 * paths.x);
+  }
   options.method = Method::hvl_zonal;
   CHECK_THROWS_AS(project_materials(scene.materials, options), InputError);
 }

@@ -32,17 +32,11 @@ glm::vec3 interpolated_normal(const Mesh& mesh, const glm::uvec3& triangle, floa
   return (1.0f - u - v) * mesh.normals[triangle.x] + u * mesh.normals[triangle.y] + v * mesh.normals[triangle.z];
 }
 
-/// The x axis of the surface's own frame, not yet normal to the normal: the direction in which the texture's u grows;
-/// without one the horizontal, counter-clockwise seen from above (y is up), and x where the surface is level.
-glm::vec3 surface_tangent(const Mesh& mesh, std::size_t triangle, const glm::vec3& normal) {
-  constexpr float least = 1e-6f;
-  if (triangle < mesh.triangle_tangents.size()) {
-    const glm::vec3 given = mesh.triangle_tangents[triangle];
-    const glm::vec3 flat = given - glm::dot(given, normal) * normal;
-    if (glm::dot(flat, flat) > least) return given;
-  }
+/// The x axis of the surface's own frame: horizontal, counter-clockwise seen from above (y is up); where the surface is
+/// level, along x. Materials are thus brushed around the vertical axis.
+glm::vec3 surface_tangent(const glm::vec3& normal) {
   const glm::vec3 horizontal(normal.z, 0.0f, -normal.x);
-  return glm::dot(horizontal, horizontal) > least ? horizontal : glm::vec3(1.0f, 0.0f, 0.0f);
+  return glm::dot(horizontal, horizontal) > 1e-6f ? horizontal : glm::vec3(1.0f, 0.0f, 0.0f);
 }
 
 Hit make_hit(const Mesh& mesh, const RTCRayHit& found, const glm::vec3& direction) {
@@ -65,7 +59,7 @@ Hit make_hit(const Mesh& mesh, const RTCRayHit& found, const glm::vec3& directio
   hit.distance = found.ray.tfar;
   hit.from_behind = from_behind;
   hit.material = mesh.triangle_materials[found.hit.primID];
-  hit.tangent = surface_tangent(mesh, found.hit.primID, hit.normal);
+  hit.tangent = surface_tangent(hit.normal);
   return hit;
 }
 

@@ -28,7 +28,6 @@ struct Mesh {
   std::vector<glm::vec3> normals;
   std::vector<glm::uvec3> triangles;
   std::vector<std::uint32_t> triangle_materials;
-  std::vector<glm::vec3> triangle_tangents{};  // along u of the texture; empty, or zero, where there is none
 };
 
 struct Bounds {

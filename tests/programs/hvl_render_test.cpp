@@ -2,6 +2,7 @@
 // share nothing with it, and materials from files.
 #include "hvl-render/direct_light.hpp"
 #include "hvl-render/gatherer.hpp"
+#include "hvl-render/lit_scene.hpp"
 #include "hvl-render/material_change.hpp"
 #include "hvl-render/path.hpp"
 #include "hvl-render/time_budget.hpp"
@@ -380,6 +381,32 @@ TEST_CASE("materials: an anisotropic file is gathered in the surface's own frame
   }
   options.method = Method::hvl_zonal;
   CHECK_THROWS_AS(project_materials(scene.materials, options), InputError);
+}
+
+TEST_CASE("materials: light between microfacets is added to metals alone, where it is asked for") {
+  Options options;
+  const auto red_of = [&options](const std::string& name) {
+    const Scene scene = load_scene(options);
+    for (const Material& material : scene.materials) {
+      if (material.name != name) continue;
+      double sum = 0.0;  // of uniform light, seen from the normal
+      constexpr int rings = 400;
+      for (int i = 0; i < rings; ++i) {
+        const double z = (i + 0.5) / rings, s = std::sqrt(1.0 - z * z);
+        const glm::dvec3 wi(s, 0.0, z);
+        sum += zonal::evaluate(material.brdf, wi, glm::dvec3(0.0, 0.0, 1.0)).x * z * 2.0 * glm::pi<double>() / rings;
+      }
+      return sum;
+    }
+    return -1.0;
+  };
+  options.materials = {parse_material_change("gold=silver:1"), parse_material_change("plaster=plastic:0.5,0.5,0.5,1")};
+  const double metal = red_of("gold"), plastic = red_of("plaster");
+  options.multiple_scattering = true;
+  CAPTURE(metal, red_of("gold"));
+  CHECK(metal < 0.35);  // 31 %
+  CHECK((red_of("gold") > 0.9 && red_of("gold") < 1.0));
+  CHECK(red_of("plaster") == plastic);
 }
 
 TEST_CASE("materials: what is wrong with a file is said in one line") {

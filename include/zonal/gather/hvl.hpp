@@ -106,6 +106,24 @@ struct HvlRecord {
   }
 };
 
+/// The same light with the coefficients of m < 0, which are zero.
+template <int NE, class T>
+ZONAL_INLINE inline HvlRecord<NE, T, AnyEmission> without_symmetry(const HvlRecord<NE, T, EvenEmission>& light) {
+  HvlRecord<NE, T, AnyEmission> result;
+  for (int i = 0; i < 3; ++i) {
+    result.position[i] = light.position[i];
+    result.normal[i] = light.normal[i];
+    result.tangent[i] = light.tangent[i];
+    for (int l = 0; l < NE; ++l) {
+      for (int m = -l; m <= l; m += 2) {
+        result.emission[i][AnyEmission::index(l, m)] = m < 0 ? T(0) : light.emission[i][EvenEmission::index(l, m)];
+      }
+    }
+  }
+  result.radius = light.radius;
+  return result;
+}
+
 /// The outgoing radiance that one light (or one packet of lights) causes, to radiance[3], RGB. `material` is F at the
 /// outgoing direction, RGB by degree and order: EvenSh, or Sh of an anisotropic material. A receiver inside the sphere
 /// sees a hemisphere; one at its very centre sees nothing, for there is no direction to it.
@@ -183,16 +201,23 @@ class HvlCache {
   int packet_count() const { return records_.packet_count(); }
   ZONAL_INLINE Record<Lanes> packet(int index) const { return records_.packet(index); }
   const PacketArray<AnisotropicRecord>& anisotropic() const { return anisotropic_; }
-  /// Those of isotropic materials once more, for receivers that have no symmetry either.
-  const PacketArray<AnisotropicRecord>& isotropic_as_any() const { return isotropic_as_any_; }
+
+  /// Those of isotropic materials as receivers without symmetry take them.
+  struct WithoutSymmetry {
+    using Lanes = HvlCache::Lanes;
+    const HvlCache& cache;
+    int packet_count() const { return cache.packet_count(); }
+    ZONAL_INLINE AnisotropicRecord<Lanes> packet(int index) const {
+      return zonal::without_symmetry(cache.packet(index));
+    }
+  };
+  WithoutSymmetry without_symmetry() const { return {*this}; }
 
  private:
   void append(const VirtualLight& light) {
     const glm::vec3 tangent = detail::tangent_towards(light.normal, light.to_primary);
     const float cos_primary = glm::dot(light.normal, light.to_primary);
-    const EvenSh<NE, glm::vec3> reflected = light.material->template without_cosine<NE>(cos_primary);
-    records_.append(record<EvenEmission>(light, tangent, reflected));
-    isotropic_as_any_.append(record<AnyEmission>(light, tangent, detail::all_orders(reflected)));
+    records_.append(record<EvenEmission>(light, tangent, light.material->template without_cosine<NE>(cos_primary)));
   }
   void append_anisotropic(const VirtualLight& light) {
     const glm::vec3 own = detail::tangent_towards(light.normal, light.tangent);
@@ -223,7 +248,7 @@ class HvlCache {
   }
 
   PacketArray<Record> records_;
-  PacketArray<AnisotropicRecord> anisotropic_, isotropic_as_any_;
+  PacketArray<AnisotropicRecord> anisotropic_;
 };
 
 namespace detail {
@@ -265,7 +290,7 @@ glm::vec3 gather(const HvlCache<NE>& cache, const Receiver& receiver, const Anis
   const auto frame = detail::frame_of<Lanes>(receiver, detail::turned_tangent(outgoing, receiver.normal, own));
   const Sh<N, glm::vec3> coefficients = material.with_cosine<N>(outgoing);
   const glm::vec3 sum = detail::gather_from<N, NE, method>(cache.anisotropic(), frame, coefficients, visible) +
-                        detail::gather_from<N, NE, method>(cache.isotropic_as_any(), frame, coefficients, visible);
+                        detail::gather_from<N, NE, method>(cache.without_symmetry(), frame, coefficients, visible);
   return (glm::max)(sum, glm::vec3(0));
 }
 

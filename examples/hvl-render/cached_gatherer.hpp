@@ -31,7 +31,7 @@ class CachedGatherer final : public Gatherer {
       : input_(input), cache_(std::move(cache)), gather_(std::move(gather)) {}
 
   glm::vec3 indirect_radiance(const Hit& hit, const glm::vec3& outgoing, std::size_t sample) const override {
-    const zonal::Receiver receiver{hit.position, hit.normal, outgoing};
+    const zonal::Receiver receiver{hit.position, hit.normal, outgoing, hit.tangent};
     return gather_(cache_, receiver, hit.material, sample, visibility(input_, hit));
   }
 

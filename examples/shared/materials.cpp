@@ -1,6 +1,7 @@
 #include "materials.hpp"
 
 #include <algorithm>
+#include <variant>
 
 #include <zonal/material/energy.hpp>
 
@@ -13,6 +14,11 @@ zonal::Brdf plastic(const glm::vec3& albedo, float roughness) {
 }
 
 zonal::Brdf metal(const Metal& metal, float roughness) { return {{zonal::GgxBrdf{roughness, metal.fresnel}}}; }
+
+zonal::Brdf with_multiple_scattering(const zonal::Brdf& brdf) {
+  const auto* ggx = brdf.lobes.size() == 1 ? std::get_if<zonal::GgxBrdf>(&brdf.lobes[0]) : nullptr;
+  return ggx == nullptr ? brdf : zonal::with_multiple_scattering(*ggx);
+}
 
 const std::vector<Metal>& metals() {
   static const std::vector<Metal> list{

@@ -29,4 +29,8 @@ const Metal* find_metal(const std::string& name);
 
 zonal::Brdf metal(const Metal& metal, float roughness);
 
+/// The material with the light that bounces between its microfacets, where it is a GGX lobe alone. Under a coat the body
+/// has that light already: it reflects of all that the coat leaves.
+zonal::Brdf with_multiple_scattering(const zonal::Brdf& brdf);
+
 }  // namespace example

@@ -2,8 +2,8 @@
 //
 // Directions are unit vectors in the local frame, z being the surface normal; wi points towards the light, wo
 // towards the eye. A BRDF f(wi, wo) is in 1/sr, one value per RGB channel, reciprocal (measured materials may not be),
-// and exactly zero when either direction is at or below the horizon. Only isotropic models live here: f depends on the
-// azimuths through their difference.
+// and exactly zero when either direction is at or below the horizon. The models here are isotropic: f depends on the
+// azimuths through their difference. Measured materials may be anisotropic.
 //
 // Each kernel is a template on its scalar T (float, double, long double, or a packet of them); the parameters of
 // a model are floats, and are widened, so that a projection done in double is limited by the model and not by its
@@ -96,6 +96,7 @@ struct MeasuredBrdf {
   glm::vec3 diffuse_albedo, specular_albedo;
   float roughness;
   std::shared_ptr<const BrdfNodes> nodes{};
+  bool isotropic = true;  // else it is to be asked in the surface's own frame: directions with x along its tangent
 };
 
 /// A diffuse lobe that reflects of what another lobe leaves the share `albedo`, RGB in [0, 1] [6]:
@@ -355,6 +356,15 @@ inline glm::vec3 diffuse_albedo(const Brdf& brdf) {
     if (const auto* lambert = std::get_if<LambertBrdf>(&lobe)) sum += lambert->albedo;
   }
   return sum;
+}
+
+/// Does the material look the same however it is turned about its normal?
+inline bool is_isotropic(const Brdf& brdf) {
+  for (const BrdfLobe& lobe : brdf.lobes) {
+    const auto* measured = std::get_if<MeasuredBrdf>(&lobe);
+    if (measured != nullptr && !measured->isotropic) return false;
+  }
+  return true;
 }
 
 /// A lobe that looks nearly the same from everywhere: Lambert's, and what another lobe leaves.

@@ -1,4 +1,4 @@
-// Measured materials, or any other isotropic function, as a lobe among the models of brdf.hpp.
+// Measured materials, or any other function, as a lobe among the models of brdf.hpp.
 //
 //   zonal::Brdf material{{zonal::measured(zonal::load_merl("gold-metallic-paint.binary"))}};
 #pragma once
@@ -28,13 +28,14 @@ struct MeasuredNode {
 };
 
 /// The midpoint rule over half vectors, whose angle to the normal is (pi/2) s^2: nodes crowd at the mirror direction.
-inline std::vector<MeasuredNode> measured_nodes(const BrdfFunction& brdf) {
+inline std::vector<MeasuredNode> measured_nodes(const BrdfFunction& brdf, double azimuth) {
   constexpr int rings = 48, spokes = 24;
   constexpr double right_angle = 0.5 * double(kPi);
   std::vector<MeasuredNode> nodes;
   for (const double degrees : {10.0, 40.0, 70.0}) {
     const double theta_o = degrees / 90.0 * right_angle;
-    const glm::dvec3 wo(std::sin(theta_o), 0.0, std::cos(theta_o));
+    const glm::dvec3 wo(std::sin(theta_o) * std::cos(azimuth), std::sin(theta_o) * std::sin(azimuth),
+                        std::cos(theta_o));
     for (int ring = 0; ring < rings; ++ring) {
       const double s = (ring + 0.5) / rings, theta = right_angle * s * s, ring_width = 2.0 * right_angle * s / rings;
       for (int spoke = 0; spoke < spokes; ++spoke) {
@@ -72,24 +73,43 @@ inline constexpr bool
     has_nodes<F, std::void_t<decltype(std::declval<const F&>().for_each_node(
                      glm::dvec3(), 0, std::declval<void (*)(const glm::dvec3&, const glm::dvec3&)>()))>> = true;
 
+/// Does F say whether it is isotropic?
+template <class F, class = void>
+inline constexpr bool has_isotropic = false;
+template <class F>
+inline constexpr bool has_isotropic<F, std::void_t<decltype(bool(std::declval<const F&>().isotropic()))>> = true;
+
 }  // namespace detail
 
-/// Wraps an isotropic BRDF, a callable (glm::dvec3 wi, glm::dvec3 wo) -> glm::dvec3 in 1/sr, as a lobe: its part that
-/// is even in phi, so that all that is made of it, projections and paths, sees one material. The lobes beside it are
-/// those that sample it with the least variance, of 24 roughnesses from 0.02 to 1 and 9 mixtures; takes 0.1 s. Where F
-/// has a for_each_node as RglBrdf has, projections integrate by it.
+/// Wraps a BRDF, a callable (glm::dvec3 wi, glm::dvec3 wo) -> glm::dvec3 in 1/sr, as a lobe. It counts as isotropic,
+/// unless F has a member isotropic() that says no; of an isotropic one the lobe is the part that is even in phi, so
+/// that all that is made of it, projections and paths, sees one material. The lobes beside it are those that sample it
+/// with the least variance, of 24 roughnesses from 0.02 to 1 and 9 mixtures; takes 0.1 s. Where F has a for_each_node
+/// as RglBrdf has, projections integrate by it.
 template <class F>
 MeasuredBrdf measured(F brdf) {
   const auto shared = std::make_shared<const F>(std::move(brdf));
-  const auto even = [shared](const glm::dvec3& wi, const glm::dvec3& wo) { return even_part(*shared)(wi, wo); };
-  MeasuredBrdf result{std::make_shared<const BrdfFunction>(even), {}, {}, 1.0F};
+  MeasuredBrdf result{nullptr, {}, {}, 1.0F};
+  if constexpr (detail::has_isotropic<F>) result.isotropic = shared->isotropic();
+  const bool isotropic = result.isotropic;
+  result.function =
+      std::make_shared<const BrdfFunction>([shared, isotropic](const glm::dvec3& wi, const glm::dvec3& wo) {
+        return isotropic ? even_part(*shared)(wi, wo) : (*shared)(wi, wo);
+      });
   if constexpr (detail::has_nodes<F>) {
     result.nodes = std::make_shared<const BrdfNodes>(
         [shared](const glm::dvec3& wo, int level, const auto& visit) { shared->for_each_node(wo, level, visit); });
   }
-  const std::vector<detail::MeasuredNode> nodes = detail::measured_nodes(*result.function);
-  glm::dvec3 albedo(0.0);  // mean over the three outgoing directions
-  for (const detail::MeasuredNode& node : nodes) albedo += node.reflected * node.solid_angle / 3.0;
+  std::vector<detail::MeasuredNode> nodes = detail::measured_nodes(*result.function, 0.0);
+  if (!isotropic) {
+    for (const double azimuth : {0.8, 1.6, 2.4, 3.2, 4.0, 4.8, 5.6}) {
+      const std::vector<detail::MeasuredNode> more = detail::measured_nodes(*result.function, azimuth);
+      nodes.insert(nodes.end(), more.begin(), more.end());
+    }
+  }
+  const double directions = isotropic ? 3.0 : 24.0;
+  glm::dvec3 albedo(0.0);  // mean over the outgoing directions
+  for (const detail::MeasuredNode& node : nodes) albedo += node.reflected * node.solid_angle / directions;
 
   float best_share = 1.0F;
   double least = std::numeric_limits<double>::infinity();

@@ -7,7 +7,7 @@
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
-namespace glsl {
+namespace shader {
 
 /// How parameters and locals are declared, which no word in a table can say.
 enum class Declarations {
@@ -66,6 +66,6 @@ constexpr const Dialect* find_dialect(std::string_view name) {
   return nullptr;
 }
 
-}  // namespace glsl
+}  // namespace shader
 }  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -21,7 +21,7 @@ inline std::string example(const std::string& file, const std::vector<std::strin
   std::string text, line;
   while (std::getline(source, line)) {
     const bool includes = line.rfind("#include \"zonal_", 0) == 0;
-    text += includes ? zonal_glsl::shader_file(request, *zonal::glsl::find_dialect("glsl450")) : line + "\n";
+    text += includes ? zonal_glsl::shader_file(request, *zonal::shader::find_dialect("glsl450")) : line + "\n";
     if (line.rfind("#version", 0) == 0) text += defines;
   }
   return text;

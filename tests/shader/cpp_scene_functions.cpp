@@ -5,5 +5,5 @@ bool run_scene_function(std::string_view function, int bands, int order, const s
 
 bool run_scene_function(std::string_view function, int bands, int order, const std::vector<float>& inputs,
                         std::vector<float>& outputs) {
-  return run_from_list<zonal::glsl::SceneFunctions>(function, bands, order, inputs, outputs);
+  return run_from_list<zonal::kernels::SceneKernels>(function, bands, order, inputs, outputs);
 }

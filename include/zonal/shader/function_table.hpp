@@ -1,16 +1,16 @@
-// The table of functions (functions.hpp) for names and numbers of bands known at run time.
+// The table of functions (kernels/kernel_list.hpp) for names and numbers of bands known at run time.
 #pragma once
 
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "functions.hpp"
+#include "../kernels/kernel_list.hpp"
 #include "recorded_function.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
-namespace glsl {
+namespace shader {
 
 // To compile them takes time with the square.
 #ifdef ZONAL_GLSL_MAX_BANDS
@@ -29,7 +29,7 @@ struct FunctionEntry {
 namespace detail {
 template <class Entry, int... I>
 RecordedFunction record_bands(int bands, int order, std::integer_sequence<int, I...>) {
-  static constexpr RecordedFunction (*of[])(int) = {glsl::record<Entry, 1 + I>...};
+  static constexpr RecordedFunction (*of[])(int) = {shader::record<Entry, 1 + I>...};
   return of[bands - 1](order);
 }
 }  // namespace detail
@@ -45,12 +45,12 @@ RecordedFunction record_bands(int bands, int order) {
 /// Appends a list of entries, in its order.
 template <class List>
 void append_functions(std::vector<FunctionEntry>& entries) {
-  for_each_function(List{}, [&](auto entry) {
+  kernels::for_each_kernel(List{}, [&](auto entry) {
     using Entry = decltype(entry);
     entries.push_back({Entry::name, Entry::summary, Entry::has_bands, Entry::order_count, record_bands<Entry>});
   });
 }
 
-}  // namespace glsl
+}  // namespace shader
 }  // namespace ZONAL_TARGET
 }  // namespace zonal

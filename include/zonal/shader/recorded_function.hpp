@@ -6,12 +6,16 @@
 #include <utility>
 #include <vector>
 
+#include "../kernels/kernel_io.hpp"
 #include "../scalar/recorder.hpp"
-#include "function_io.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
-namespace glsl {
+namespace shader {
+
+using kernels::all_orders;
+using kernels::Direction;
+using kernels::Parameter;
 
 struct RecordedFunction {
   std::string name;     // zonal_evaluate_5
@@ -83,12 +87,14 @@ std::string function_name(int bands, int order) {
 
 namespace detail {
 // What the entry's kernel does, written down. Not a template: the table has hundreds of instances.
-inline RecordedFunction record(std::string name, const char* summary, void (*run)(FunctionIo<Recorder>&), int order) {
+inline RecordedFunction record(std::string name, const char* summary, void (*run)(kernels::DescribingIo<Recorder>&),
+                               int order) {
   RecordedFunction result;
   result.name = std::move(name);
   result.summary = summary;
   result.recording = std::make_unique<Recording>();
-  FunctionIo<Recorder> io([&](const Parameter& parameter) { return result.recording->input(parameter.name); }, order);
+  kernels::DescribingIo<Recorder> io(
+      [&](const Parameter& parameter) { return result.recording->input(parameter.name); }, order);
   run(io);
   result.parameters = io.parameters();
   result.outputs = io.outputs();
@@ -105,13 +111,13 @@ inline RecordedFunction record(std::string name, const char* summary, void (*run
 }
 }  // namespace detail
 
-/// An entry of the table (functions.hpp) with N bands, written down.
+/// An entry of the table (kernels/kernel_list.hpp) with N bands, written down.
 template <class Entry, int N>
 RecordedFunction record(int order = all_orders) {
-  return detail::record(function_name<Entry>(N, order), Entry::summary, &Entry::template run<N, FunctionIo<Recorder>>,
-                        order);
+  return detail::record(function_name<Entry>(N, order), Entry::summary,
+                        &Entry::template run<N, kernels::DescribingIo<Recorder>>, order);
 }
 
-}  // namespace glsl
+}  // namespace shader
 }  // namespace ZONAL_TARGET
 }  // namespace zonal

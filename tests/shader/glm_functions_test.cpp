@@ -40,7 +40,7 @@ TEST_CASE("The GLSL text compiled as C++ is to the bit what the kernels are") {
   for (const auto& entry : zonal_glsl::shader_functions()) {
     for (const int bands : {1, 2, 4}) {
       if (!entry.has_bands && bands > 1) continue;
-      const auto function = entry.record(bands, zonal::glsl::all_orders);
+      const auto function = entry.record(bands, zonal::shader::all_orders);
       INFO(function.name);
       InputSampler sampler(8, bands);
       for (int i = 0; i < 300; ++i) {

@@ -1,6 +1,6 @@
 // Every function at every number of bands on the driver, against its record (which record_test.cpp compares with C++):
 // to the bit where the driver computes on the CPU.
-#include <zonal/glsl/file_text.hpp>
+#include <zonal/shader/file_text.hpp>
 
 #include <cmath>
 #include <initializer_list>
@@ -17,16 +17,16 @@
 
 namespace {
 
-using zonal::glsl::all_orders;
-using zonal::glsl::FunctionEntry;
-using zonal::glsl::RecordedFunction;
+using zonal::shader::all_orders;
+using zonal::shader::FunctionEntry;
+using zonal::shader::RecordedFunction;
 
 constexpr unsigned group_size = 64, groups = 8;
 constexpr std::size_t samples = group_size * groups;
 
 /// A compute shader that calls the function once per invocation.
-std::string shader(const RecordedFunction& function, const zonal::glsl::TextOptions& options) {
-  const zonal::glsl::Dialect& glsl = *zonal::glsl::find_dialect("glsl450");
+std::string shader(const RecordedFunction& function, const zonal::shader::TextOptions& options) {
+  const zonal::shader::Dialect& glsl = *zonal::shader::find_dialect("glsl450");
   return "#version 450\nlayout(local_size_x = " + std::to_string(group_size) +
          ") in;\n"
          "layout(std430, binding = 0) readonly buffer Numbers { float numbers[]; };\n"
@@ -37,7 +37,7 @@ std::string shader(const RecordedFunction& function, const zonal::glsl::TextOpti
 }
 
 std::vector<float> run_on_driver(Driver& driver, const RecordedFunction& function, const std::vector<float>& numbers,
-                                 const zonal::glsl::TextOptions& options) {
+                                 const zonal::shader::TextOptions& options) {
   const unsigned program = driver.compile(shader(function, options));
   const auto count = samples * static_cast<std::size_t>(output_count(function));
   const unsigned in = driver.make_buffer(numbers.empty() ? std::vector<float>(1) : numbers);
@@ -51,7 +51,7 @@ std::vector<float> run_on_driver(Driver& driver, const RecordedFunction& functio
 }
 
 /// The function on the driver against its record, an operation at a time.
-void check(Driver& driver, const RecordedFunction& function, int bands, const zonal::glsl::TextOptions& options) {
+void check(Driver& driver, const RecordedFunction& function, int bands, const zonal::shader::TextOptions& options) {
   InputSampler sampler(7, bands);
   std::vector<std::vector<float>> inputs;
   std::vector<float> numbers;
@@ -72,19 +72,19 @@ void check(Driver& driver, const RecordedFunction& function, int bands, const zo
 /// select(driver, entry, bands, options) for every function at some numbers of bands, if it has any. The driver takes
 /// long to compile large ones.
 template <class Select>
-void check_all(std::initializer_list<int> numbers_of_bands, Select select, zonal::glsl::TextOptions options = {}) {
+void check_all(std::initializer_list<int> numbers_of_bands, Select select, zonal::shader::TextOptions options = {}) {
   Driver* driver = driver_or_skip();
   if (driver == nullptr) return;
   options.precise = true;
   for (const FunctionEntry& entry : zonal_glsl::shader_functions()) {
     for (const int bands : numbers_of_bands) {
-      if (bands > zonal::glsl::max_bands) continue;
+      if (bands > zonal::shader::max_bands) continue;
       select(*driver, entry, bands, options);
       if (!entry.has_bands) break;
     }
   }
 }
-void check_all_at_two_bands(const zonal::glsl::TextOptions& options) {
+void check_all_at_two_bands(const zonal::shader::TextOptions& options) {
   check_all(
       {2},
       [](Driver& driver, const FunctionEntry& entry, int bands, const auto& text) {
@@ -110,13 +110,13 @@ TEST_CASE("Every pair of orders, at 1 to 3 and 5 bands, is on the driver what it
 }
 
 TEST_CASE("With a temporary for every operation the driver computes the same") {
-  zonal::glsl::TextOptions options;
+  zonal::shader::TextOptions options;
   options.compound = false;
   check_all_at_two_bands(options);
 }
 
 TEST_CASE("Without arrays the driver computes the same") {
-  zonal::glsl::TextOptions options;
+  zonal::shader::TextOptions options;
   options.flat = true;
   check_all_at_two_bands(options);
 }

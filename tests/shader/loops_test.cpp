@@ -19,7 +19,7 @@
 
 namespace {
 
-using zonal::glsl::all_orders;
+using zonal::shader::all_orders;
 
 /// The orders that a shell sums apart: all at once, or one after the other.
 std::vector<int> orders_of(const std::string& shell, const char* function, int bands) {
@@ -182,7 +182,7 @@ TEST_CASE("What interpolates a grid and what reconstructs colours fit together, 
         "layout(std430, binding = 1) readonly buffer Places { float places[]; };\n"
         "layout(std430, binding = 2) writeonly buffer Results { float results[]; };\n"
         "#define ZONAL_GRID(i) grid[i]\n" +
-        zonal_glsl::shader_file(request, *zonal::glsl::find_dialect("glsl450")) +
+        zonal_glsl::shader_file(request, *zonal::shader::find_dialect("glsl450")) +
         "void main() {\n"
         "  uint i = 6u * gl_GlobalInvocationID.x;\n"
         "  vec3 position = vec3(places[i], places[i + 1u], places[i + 2u]);\n"

@@ -5,6 +5,6 @@ bool run_basis_function(std::string_view function, int bands, int order, const s
 
 bool run_basis_function(std::string_view function, int bands, int order, const std::vector<float>& inputs,
                         std::vector<float>& outputs) {
-  return run_from_list<zonal::glsl::BasisFunctions>(function, bands, order, inputs, outputs) ||
-         run_from_list<zonal::glsl::ColourFunctions>(function, bands, order, inputs, outputs);
+  return run_from_list<zonal::kernels::BasisKernels>(function, bands, order, inputs, outputs) ||
+         run_from_list<zonal::kernels::ColourKernels>(function, bands, order, inputs, outputs);
 }

@@ -1,7 +1,7 @@
 // One list of functions, for run_in_cpp.
 #pragma once
 
-#include <zonal/glsl/function_table.hpp>
+#include <zonal/shader/function_table.hpp>
 
 #include <type_traits>
 #include <utility>
@@ -11,7 +11,7 @@
 template <class Entry, int N>
 std::vector<float> run_entry(int order, const std::vector<float>& inputs) {
   std::size_t next = 0;
-  zonal::glsl::FunctionIo<float> io([&](const zonal::glsl::Parameter&) { return inputs.at(next++); }, order);
+  zonal::kernels::DescribingIo<float> io([&](const zonal::shader::Parameter&) { return inputs.at(next++); }, order);
   Entry::template run<N>(io);
   return io.outputs();
 }
@@ -26,7 +26,7 @@ template <class List>
 bool run_from_list(std::string_view function, int bands, int order, const std::vector<float>& inputs,
                    std::vector<float>& outputs) {
   bool found = false;
-  zonal::glsl::for_each_function(List{}, [&](auto entry) {
+  zonal::kernels::for_each_kernel(List{}, [&](auto entry) {
     using Entry = decltype(entry);
     if (Entry::name != function) return;
     found = true;

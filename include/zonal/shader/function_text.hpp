@@ -17,7 +17,7 @@
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
-namespace glsl {
+namespace shader {
 
 struct TextOptions {
   bool compound = true;  // what is used once stands where it is used; otherwise every operation has a temporary
@@ -352,6 +352,6 @@ inline std::size_t parameter_count(const RecordedFunction& function, const Diale
   return detail::FunctionWriter(function, dialect, options).declarations().size();
 }
 
-}  // namespace glsl
+}  // namespace shader
 }  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -1,6 +1,6 @@
 // The parameters of a shader function, and the object through which a kernel takes and gives them in any scalar.
 //
-// An entry of the table (functions.hpp) names its inputs and outputs as it uses them:
+// An entry of the table (kernel_list.hpp) names its inputs and outputs as it uses them:
 //
 //   const auto direction = io.vector("direction", Domain::unit_vector);
 //   auto y = io.output("y", N * N);
@@ -8,7 +8,7 @@
 //
 // With a Recorder that writes the shader function down, parameters and all; with a float it runs it.
 //
-// An entry for colours (OfColours in functions.hpp) runs the same kernel three times, a channel at a time: its
+// An entry for colours (OfColours in kernel_list.hpp) runs the same kernel three times, a channel at a time: its
 // coefficients are then triples, and what does not depend on them is shared, for a record holds no operation twice.
 #pragma once
 
@@ -23,7 +23,7 @@
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
-namespace glsl {
+namespace kernels {
 
 /// What the numbers of an input are: for documentation, and for the tests to draw them from.
 enum class Domain {
@@ -79,13 +79,13 @@ enum class Colours { none, first, all };
 
 /// Hands a kernel its inputs and collects its outputs.
 template <class T>
-class FunctionIo {
+class DescribingIo {
  public:
   using Scalar = T;
   /// The next number of an input.
   using Source = std::function<T(const Parameter& parameter)>;
 
-  explicit FunctionIo(Source source, int order = all_orders) : source_(std::move(source)), order_(order) {}
+  explicit DescribingIo(Source source, int order = all_orders) : source_(std::move(source)), order_(order) {}
 
   /// The kernel is about to run for a channel, 0, 1 and 2 in turn. Results are colours then.
   void start_channel(Colours colours, int channel) {
@@ -186,6 +186,12 @@ class FunctionIo {
   std::deque<std::vector<T>> inputs_, outputs_;  // a deque: kernels hold pointers into it
 };
 
-}  // namespace glsl
+/// What most entries share.
+struct Kernel {
+  static constexpr bool has_bands = true;              // whether the number of bands matters
+  static constexpr int order_count(int) { return 0; }  // the length of the loop over orders it takes part in
+};
+
+}  // namespace kernels
 }  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -1,7 +1,7 @@
 // A record run an operation at a time, in float: what a compiler of its text must come to.
 #pragma once
 
-#include <zonal/glsl/recorded_function.hpp>
+#include <zonal/shader/recorded_function.hpp>
 #include <zonal/scalar/scalar.hpp>
 
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <vector>
 
 /// The outputs that the function writes, for these inputs.
-inline std::vector<float> interpret(const zonal::glsl::RecordedFunction& function, const std::vector<float>& inputs) {
+inline std::vector<float> interpret(const zonal::shader::RecordedFunction& function, const std::vector<float>& inputs) {
   using zonal::Operation;
   const auto& lines = function.recording->lines();
   std::vector<float> values(lines.size());
@@ -42,7 +42,7 @@ inline std::vector<float> interpret(const zonal::glsl::RecordedFunction& functio
 }
 
 /// Of all outputs those that the function writes.
-inline std::vector<float> kept_of(const zonal::glsl::RecordedFunction& function, const std::vector<float>& all) {
+inline std::vector<float> kept_of(const zonal::shader::RecordedFunction& function, const std::vector<float>& all) {
   std::vector<float> kept;
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (function.kept[k]) kept.push_back(all[k]);

@@ -1,7 +1,7 @@
 // Inputs of a shader function: random, and the ends of their domains.
 #pragma once
 
-#include <zonal/glsl/function_io.hpp>
+#include <zonal/kernels/kernel_io.hpp>
 
 #include <array>
 #include <cmath>
@@ -13,17 +13,17 @@ class InputSampler {
   InputSampler(unsigned seed, int bands) : random_(seed), bands_(bands) {}
 
   /// One value for every number of the function's inputs.
-  std::vector<float> draw(const std::vector<zonal::glsl::Parameter>& parameters) {
+  std::vector<float> draw(const std::vector<zonal::kernels::Parameter>& parameters) {
     std::vector<float> numbers;
     for (const auto& p : parameters) {
-      if (p.direction == zonal::glsl::Direction::out) continue;
+      if (p.direction == zonal::kernels::Direction::out) continue;
       for (int i = 0; i < p.elements(); ++i) append(p.domain, p.components, numbers);
     }
     return numbers;
   }
 
  private:
-  using Domain = zonal::glsl::Domain;
+  using Domain = zonal::kernels::Domain;
 
   double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
   bool sometimes() { return uniform(0, 1) < 0.1; }

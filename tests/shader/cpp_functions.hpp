@@ -1,4 +1,4 @@
-// The functions of zonal/glsl/functions.hpp in C++, in float: what every record and every loop is compared with.
+// The functions of zonal/kernels/kernel_list.hpp in C++, in float: what every record and every loop is compared with.
 #pragma once
 
 #include <string_view>

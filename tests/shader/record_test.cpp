@@ -1,6 +1,6 @@
 // The records themselves: that they are what C++ computes, for colours too, and what is left when coefficients go.
 #include <glm/vec3.hpp>
-#include <zonal/glsl/shells.hpp>
+#include <zonal/shader/shells.hpp>
 #include <zonal/zonal.hpp>
 
 #include <functional>
@@ -19,9 +19,9 @@
 
 namespace {
 
-using zonal::glsl::all_orders;
-using zonal::glsl::FunctionEntry;
-using zonal::glsl::RecordedFunction;
+using zonal::shader::all_orders;
+using zonal::shader::FunctionEntry;
+using zonal::shader::RecordedFunction;
 
 void check(const FunctionEntry& entry, int bands, int order) {
   const RecordedFunction function = entry.record(bands, order);
@@ -170,7 +170,7 @@ const std::map<std::string, std::function<std::vector<float>(Row)>> with_colours
 TEST_CASE("Every record is to the bit what C++ computes") {
   for (const FunctionEntry& entry : zonal_glsl::shader_functions()) {
     for_each_of(cpp_bands, [&](auto bands) {
-      if ((!entry.has_bands && bands > 1) || bands > zonal::glsl::max_bands) return;
+      if ((!entry.has_bands && bands > 1) || bands > zonal::shader::max_bands) return;
       check(entry, bands, all_orders);
       for (int m = 0; m < entry.order_count(bands); ++m) check(entry, bands, m);
     });
@@ -203,7 +203,7 @@ TEST_CASE("A selection of coefficients is those of the whole, in a shorter array
     const RecordedFunction whole = entry.record(bands, all_orders);
     zonal_glsl::Request request;
     request.functions = {std::string(entry.name) + ":" + selection};
-    const auto& glsl = *zonal::glsl::find_dialect("glsl450");
+    const auto& glsl = *zonal::shader::find_dialect("glsl450");
     const auto selected = zonal_glsl::select(request, glsl);
     const RecordedFunction& part = selected.functions.at(0);
     INFO(part.name);
@@ -213,7 +213,7 @@ TEST_CASE("A selection of coefficients is those of the whole, in a shorter array
     std::vector<float> expected;
     std::size_t at = 0;
     for (const auto& p : whole.parameters) {
-      if (p.direction == zonal::glsl::Direction::in) continue;
+      if (p.direction == zonal::shader::Direction::in) continue;
       for (int l = 0; l < bands; ++l) {
         for (int m = -l; m <= l; ++m) {
           for (int c = 0; c < p.components; ++c, ++at) {
@@ -225,7 +225,7 @@ TEST_CASE("A selection of coefficients is those of the whole, in a shorter array
     require_equal(interpret(part, inputs), expected, true, [&] { return inputs; });
     std::size_t size = 0;
     for (const auto& p : part.parameters) {
-      if (p.direction == zonal::glsl::Direction::in) continue;
+      if (p.direction == zonal::shader::Direction::in) continue;
       size += static_cast<std::size_t>(p.size());
       CHECK(function_text(part, glsl).find(" " + std::string(p.name) + "[" + std::to_string(p.count) + "]") !=
             std::string::npos);
@@ -244,12 +244,12 @@ TEST_CASE("A selection of coefficients is those of the whole, in a shorter array
 
 TEST_CASE("No two functions have one name, nor one guard") {
   std::set<std::string> names;
-  const auto add = [&](const std::string& name) { CHECK(names.insert(zonal::glsl::upper_case(name)).second); };
+  const auto add = [&](const std::string& name) { CHECK(names.insert(zonal::shader::upper_case(name)).second); };
   for (const FunctionEntry& entry : zonal_glsl::shader_functions()) {
     for (int bands = 1; bands <= (entry.has_bands ? 4 : 1); ++bands) {
       const RecordedFunction function = entry.record(bands, all_orders);
       add(function.name);
-      zonal::glsl::TextOptions flat_text;
+      zonal::shader::TextOptions flat_text;
       flat_text.flat = true;
       add(text_name(function, flat_text));
       for (int m = 0; m < entry.order_count(bands); ++m) add(entry.record(bands, m).name);
@@ -261,7 +261,7 @@ TEST_CASE("No two functions have one name, nor one guard") {
       }
     }
   }
-  for (const auto& shell : zonal::glsl::shells) {
+  for (const auto& shell : zonal::shader::shells) {
     for (int bands = 1; bands <= 4; ++bands) add(shell_name(shell, bands, {}));
   }
 }

@@ -14,7 +14,7 @@
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
-namespace glsl {
+namespace shader {
 
 inline std::string version_text() {
   return std::to_string(version_major) + "." + std::to_string(version_minor) + "." + std::to_string(version_patch);
@@ -53,6 +53,6 @@ inline std::string file_text(const std::vector<RecordedFunction>& functions, con
   return text;
 }
 
-}  // namespace glsl
+}  // namespace shader
 }  // namespace ZONAL_TARGET
 }  // namespace zonal

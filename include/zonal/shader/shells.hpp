@@ -13,12 +13,12 @@
 #include <vector>
 
 #include "../gather/hvl.hpp"
+#include "../kernels/kernel_list.hpp"
 #include "file_text.hpp"
-#include "functions.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
-namespace glsl {
+namespace shader {
 
 /// A recorded function that a shell calls.
 struct ShellNeed {
@@ -121,8 +121,8 @@ $LOOPS  return max(sum, vec3(0.0f));
   }
 )";
   const std::string name = std::string("gather") + (NE == 1 ? "_diffuse" : "") + (is_reversed ? "_reversed" : "");
-  return substitute(text, {{"$LOOPS", light_loops(loop, order_suffixes<HvlRadiance<NE>>(bands, is_reversed))},
-                           {"$RADIANCE", HvlRadiance<NE>::name},
+  return substitute(text, {{"$LOOPS", light_loops(loop, order_suffixes<kernels::HvlRadiance<NE>>(bands, is_reversed))},
+                           {"$RADIANCE", kernels::HvlRadiance<NE>::name},
                            {"$FIELDS", std::to_string(HvlRecord<NE, float>::field_count)},
                            {"$SIZE", std::to_string(HvlRecord<NE, float>::emission_size)},
                            {"$EMISSION", load_light<NE>()},
@@ -133,7 +133,7 @@ $LOOPS  return max(sum, vec3(0.0f));
 }
 template <int NE, bool is_reversed>
 std::vector<ShellNeed> gather_needs(int bands) {
-  return with_orders<HvlRadiance<NE>>(bands, is_reversed);
+  return with_orders<kernels::HvlRadiance<NE>>(bands, is_reversed);
 }
 
 // ---- The grid -------------------------------------------------------------------------------------------------------
@@ -157,7 +157,7 @@ $LOOPS  zonal_finish_sums_$N(up, down, gradient);
         ZONAL_LIGHT(at + 4u + channel), vertex, value, up, down);
   }
 )";
-  return substitute(text, {{"$LOOPS", light_loops(loop, order_suffixes<AddSphere>(bands, is_reversed))},
+  return substitute(text, {{"$LOOPS", light_loops(loop, order_suffixes<kernels::AddSphere>(bands, is_reversed))},
                            {"$COUNT", std::to_string(bands * bands)},
                            {"$UP", std::to_string((bands + 1) * (bands + 1))},
                            {"$DOWN", std::to_string(bands > 1 ? (bands - 1) * (bands - 1) : 1)},
@@ -166,9 +166,9 @@ $LOOPS  zonal_finish_sums_$N(up, down, gradient);
 }
 template <bool is_reversed>
 std::vector<ShellNeed> sum_lights_needs(int bands) {
-  std::vector<ShellNeed> needs = with_orders<AddSphere>(bands, is_reversed);
-  needs.push_back({ClearSums::name});
-  needs.push_back({FinishSums::name});
+  std::vector<ShellNeed> needs = with_orders<kernels::AddSphere>(bands, is_reversed);
+  needs.push_back({kernels::ClearSums::name});
+  needs.push_back({kernels::FinishSums::name});
   return needs;
 }
 
@@ -205,7 +205,7 @@ void zonal_interpolate_$NAME_$N($vec3 position, $vec3 low, $vec3 high, $uvec3 ve
 }
 template <Interpolation method>
 std::vector<ShellNeed> interpolate_needs(int) {
-  return {{CellPosition::name}, {CellWeightsOf<method>::name}};
+  return {{kernels::CellPosition::name}, {kernels::CellWeightsOf<method>::name}};
 }
 
 }  // namespace detail
@@ -261,6 +261,6 @@ constexpr const Shell* find_shell(std::string_view name) {
   return nullptr;
 }
 
-}  // namespace glsl
+}  // namespace shader
 }  // namespace ZONAL_TARGET
 }  // namespace zonal

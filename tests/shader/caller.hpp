@@ -2,16 +2,16 @@
 // as C++.
 #pragma once
 
-#include <zonal/glsl/function_text.hpp>
+#include <zonal/shader/function_text.hpp>
 
 #include <string>
 
 /// `void call_<name>(<index> from, <index> to)`: the inputs are numbers[from], numbers[from + 1], ..., and the outputs
 /// that it writes go to results[to], results[to + 1], ....
-inline std::string caller_text(const zonal::glsl::RecordedFunction& function, const std::string& index_type,
-                               const zonal::glsl::TextOptions& options = {}) {
-  using zonal::glsl::Direction;
-  using zonal::glsl::Parameter;
+inline std::string caller_text(const zonal::shader::RecordedFunction& function, const std::string& index_type,
+                               const zonal::shader::TextOptions& options = {}) {
+  using zonal::shader::Direction;
+  using zonal::shader::Parameter;
   std::string declarations, reads, arguments, writes, result;
   int from = 0, to = 0;
   std::size_t output = 0, outputs = 0;
@@ -53,11 +53,11 @@ inline std::string caller_text(const zonal::glsl::RecordedFunction& function, co
 }
 
 /// The numbers that a function takes, and those that it gives.
-inline int input_count(const zonal::glsl::RecordedFunction& function) {
+inline int input_count(const zonal::shader::RecordedFunction& function) {
   int count = 0;
-  for (const auto& p : function.parameters) count += p.direction != zonal::glsl::Direction::out ? p.size() : 0;
+  for (const auto& p : function.parameters) count += p.direction != zonal::shader::Direction::out ? p.size() : 0;
   return count;
 }
-inline int output_count(const zonal::glsl::RecordedFunction& function) {
+inline int output_count(const zonal::shader::RecordedFunction& function) {
   return static_cast<int>(function.kept_outputs().size());
 }

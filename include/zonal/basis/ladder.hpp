@@ -105,7 +105,7 @@ struct NoTerm {
 
 // The step of the harmonic (l, +-m) to the neighbours' order `order`: up * above(order) + down * below(order).
 template <Rung rung, int l, int m, int order, class T, class Weights, class Above, class Below>
-ZONAL_INLINE constexpr auto step(Above&& above, Below&& below) {
+ZONAL_INLINE constexpr auto step(const Above& above, const Below& below) {
   constexpr bool has_above = Weights::up(l) != 0, has_below = Weights::down(l) != 0 && order < l && -l < order;
   constexpr auto up = rounded<T>(Weights::up(l) * rung_up<rung, l, m>);
   if constexpr (has_above && has_below) {
@@ -121,27 +121,38 @@ ZONAL_INLINE constexpr auto step(Above&& above, Below&& below) {
   }
 }
 
+// The values of degree l of an array: a callable on Index<m>.
+template <int l, class T>
+struct DegreeOf {
+  const T* values;  // of all degrees
+  template <int m>
+  ZONAL_INLINE constexpr const T& operator()(Index<m>) const {
+    return values[sh_index(l, m)];
+  }
+};
+
 // The gradient of degree l from the values of its neighbours: sink(m, x, y, z). `above` and `below` are callables on
-// Index<m>, for degrees l+1 and l-1. A neighbour that is not there, or has no weight, costs nothing.
+// Index<m>, for degrees l+1 and l-1. A neighbour that is not there, or has no weight, costs nothing. The steps are
+// templates of nothing that changes with the sink or with the number of bands, so that they are compiled once.
 template <int l, class T, class Weights, class Above, class Below, class Sink>
-ZONAL_INLINE constexpr void ladder(Above&& above, Below&& below, Sink&& sink) {
+ZONAL_INLINE constexpr void ladder(const Above& above, const Below& below, Sink&& sink) {
   unroll<0, l + 1>([&](auto m) ZONAL_INLINE {
-    const auto keep = [&](auto order) ZONAL_INLINE { return step<Rung::keep, l, m, order, T, Weights>(above, below); };
-    const auto raise = [&](auto order)
-                           ZONAL_INLINE { return step<Rung::raise, l, m, order, T, Weights>(above, below); };
-    const auto lower = [&](auto order)
-                           ZONAL_INLINE { return step<Rung::lower, l, m, order, T, Weights>(above, below); };
-    const auto raise_c = raise(Index<m + 1>{}), raise_s = raise(Index<-m - 1>{});
+    const auto raise_c = step<Rung::raise, l, m, m + 1, T, Weights>(above, below);
+    const auto raise_s = step<Rung::raise, l, m, -m - 1, T, Weights>(above, below);
+    const auto keep_c = step<Rung::keep, l, m, m, T, Weights>(above, below);
     if constexpr (m == 0) {
-      sink(Index<0>{}, T(raise_c), T(raise_s), T(keep(Index<0>{})));
-    } else if constexpr (m == 1) {  // sin(0 phi) is no harmonic
-      const auto lower_c = lower(Index<0>{});
-      sink(Index<-m>{}, T(raise_s), T(lower_c - raise_c), T(keep(Index<-m>{})));
-      sink(m, T(raise_c + lower_c), T(raise_s), T(keep(m)));
+      sink(m, T(raise_c), T(raise_s), T(keep_c));
     } else {
-      const auto lower_c = lower(Index<m - 1>{}), lower_s = lower(Index<1 - m>{});
-      sink(Index<-m>{}, T(raise_s + lower_s), T(lower_c - raise_c), T(keep(Index<-m>{})));
-      sink(m, T(raise_c + lower_c), T(raise_s - lower_s), T(keep(m)));
+      const auto lower_c = step<Rung::lower, l, m, m - 1, T, Weights>(above, below);
+      const auto keep_s = step<Rung::keep, l, m, -m, T, Weights>(above, below);
+      if constexpr (m == 1) {  // sin(0 phi) is no harmonic
+        sink(Index<-m>{}, T(raise_s), T(lower_c - raise_c), T(keep_s));
+        sink(m, T(raise_c + lower_c), T(raise_s), T(keep_c));
+      } else {
+        const auto lower_s = step<Rung::lower, l, m, 1 - m, T, Weights>(above, below);
+        sink(Index<-m>{}, T(raise_s + lower_s), T(lower_c - raise_c), T(keep_s));
+        sink(m, T(raise_c + lower_c), T(raise_s - lower_s), T(keep_c));
+      }
     }
   });
 }
@@ -151,8 +162,7 @@ template <int N, class Weights, int M, class T, class Sink>
 ZONAL_INLINE constexpr void ladder(const Sh<M, T>& y, Sink&& sink) {
   static_assert(Weights::up(N - 1) == 0 ? M >= N - 1 : M > N, "a neighbour is missing");
   unroll<0, N>([&](auto l) ZONAL_INLINE {
-    ladder<l, T, Weights>([&](auto m) ZONAL_INLINE { return y.values[sh_index(l + 1, m)]; },
-                          [&](auto m) ZONAL_INLINE { return y.values[sh_index(l - 1, m)]; },
+    ladder<l, T, Weights>(DegreeOf<l + 1, T>{y.values}, DegreeOf<l - 1, T>{y.values},
                           [&](auto m, const T& gx, const T& gy, const T& gz) ZONAL_INLINE { sink(l, m, gx, gy, gz); });
   });
 }

@@ -121,7 +121,7 @@ ZONAL_DEVICE ZONAL_INLINE constexpr void project_radial_with_gradient(const Radi
     const T factor = profile.value.values[l], by_distance = factor * sight.inverse_distance;
     const T along = T(int{l}) * by_distance - profile.slope.values[l];
     const T along_w[3] = {along * w[0], along * w[1], along * w[2]};
-    const auto below = [&](auto m) ZONAL_INLINE { return basis.values[sh_index(l - 1, m)]; };
+    const detail::DegreeOf<l - 1, T> below{basis.values};
     detail::ladder<l, T, detail::SolidWeights>(
         below, below, [&](auto m, const T& gx, const T& gy, const T& gz) ZONAL_INLINE {
           const T& y = basis.values[sh_index(l, m)];

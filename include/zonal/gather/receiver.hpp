@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cmath>
-#include <functional>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "../scalar/function_ref.hpp"
 #include "../scalar/packet.hpp"
 #include "../scalar/vector3.hpp"
 
@@ -45,10 +45,11 @@ ZONAL_INLINE inline LightDirection<T> look_at(const Record& light, const Receive
 }
 
 /// Is a light, at this position and with this normal, seen from the receiver? It is asked for each light that would
-/// contribute; an empty one lets all pass. A ray to the light's centre is what [1, 5.1] does.
+/// contribute; an empty one lets all pass. It refers to a callable that outlives the gather: pass a lambda. A ray to
+/// the light's centre is what [1, 5.1] does.
 ///
 /// [1] Mezieres et al., Harmonics Virtual Lights, CGF 41(6), 2022.
-using Visibility = std::function<bool(const glm::vec3& position, const glm::vec3& normal)>;
+using Visibility = FunctionRef<bool(const glm::vec3& position, const glm::vec3& normal)>;
 
 namespace detail {
 

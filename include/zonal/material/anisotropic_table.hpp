@@ -132,7 +132,7 @@ AnisotropicProjection<N> project_anisotropic_nodes(const MeasuredBrdf& brdf, dou
 class AnisotropicTable {
  public:
   static constexpr int max_bands = 21, angles = 90, max_azimuths = 360;
-  using Function = std::function<glm::dvec3(glm::dvec3 wi, glm::dvec3 wo)>;
+  using Function = BrdfFunction;
 
   /// brdf in 1/sr, of unit vectors in the local frame; 1 to 21 bands; see project_brdf for the tolerance.
   AnisotropicTable(Function brdf, int bands, double tolerance = 1e-4, int azimuths = max_azimuths)

@@ -12,11 +12,88 @@
 #include <utility>
 #include <vector>
 
+#include "../scalar/function_ref.hpp"
 #include "even_part.hpp"
-#include "sampling.hpp"
+#include "ggx.hpp"
+#include "lambert.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
+
+/// A BRDF in 1/sr, as any function of (wi, wo) that is zero at and below the horizon.
+using BrdfFunction = SharedFunction<glm::dvec3(const glm::dvec3&, const glm::dvec3&)>;
+
+/// A quadrature over the hemisphere that suits a BRDF seen from wo: nodes(wo, level, visit) calls visit(wi, f(wi, wo)
+/// times the node's solid angle), level 0 to brdf_node_levels - 1 from coarse to fine. An isotropic BRDF's are for
+/// integrals with functions of wi that are even about the plane of wo.
+using BrdfNodes = SharedFunction<void(const glm::dvec3& wo, int level,
+                                      const FunctionRef<void(const glm::dvec3& wi, const glm::dvec3& weighted)>&)>;
+inline constexpr int brdf_node_levels = 4;
+
+/// A measured material; measured(f), below, makes it. The function is the material; beside it stand a diffuse and a GGX
+/// lobe of about its size, to choose directions by, and for virtual lights that are Gaussians; and its own quadrature,
+/// for projections, where it has one. It need not be reciprocal: f(wi, wo), where wo is the direction the light leaves
+/// in, may differ from f(wo, wi).
+struct MeasuredBrdf {
+  std::shared_ptr<const BrdfFunction> function;
+  glm::vec3 diffuse_albedo, specular_albedo;
+  float roughness;
+  std::shared_ptr<const BrdfNodes> nodes{};
+  bool isotropic = true;  // else it is to be asked in the surface's own frame: directions with x along its tangent
+};
+
+namespace detail {
+
+/// The diffuse and the GGX lobe that stand beside a measured material, in proportion to their albedos.
+struct MeasuredProposal {
+  float diffuse_share;
+  GgxBrdf specular;
+
+  explicit MeasuredProposal(const MeasuredBrdf& brdf)
+      : diffuse_share(mean(brdf.diffuse_albedo) / (mean(brdf.diffuse_albedo) + mean(brdf.specular_albedo))),
+        specular{brdf.roughness, SchlickFresnel{glm::vec3(1.0F)}} {}
+};
+
+}  // namespace detail
+
+template <class T>
+glm::vec<3, T> evaluate(const MeasuredBrdf& brdf, const glm::vec<3, T>& wi, const glm::vec<3, T>& wo) {
+  if constexpr (is_builtin_scalar_v<T>) {
+    return glm::vec<3, T>((*brdf.function)(glm::dvec3(wi), glm::dvec3(wo)));
+  } else {
+    return detail::by_lanes(wi, wo, [&](const auto& i, const auto& o) { return evaluate(brdf, i, o); });
+  }
+}
+
+inline float approximate_albedo(const MeasuredBrdf& brdf, const glm::vec3&) {
+  return detail::mean(brdf.diffuse_albedo) + detail::mean(brdf.specular_albedo);
+}
+
+inline glm::vec3 sample_lobe(const MeasuredBrdf& brdf, const glm::vec3& wo, const glm::vec2& u) {
+  const detail::MeasuredProposal proposal(brdf);
+  const float share = proposal.diffuse_share;
+  if (u.x < share) return sample_lobe(LambertBrdf{}, wo, {u.x / share, u.y});
+  return sample_lobe(proposal.specular, wo, {(std::min)((u.x - share) / (1.0F - share), 0x1.fffffep-1F), u.y});
+}
+
+template <class T>
+ZONAL_INLINE inline T lobe_pdf(const MeasuredBrdf& brdf, const glm::vec<3, T>& wi, const glm::vec3& wo) {
+  const detail::MeasuredProposal proposal(brdf);
+  const T share = T(proposal.diffuse_share);
+  return share * lobe_pdf(LambertBrdf{}, wi, wo) + (T(1) - share) * lobe_pdf(proposal.specular, wi, wo);
+}
+
+inline bool is_isotropic(const MeasuredBrdf& brdf) { return brdf.isotropic; }
+inline glm::vec3 diffuse_albedo(const MeasuredBrdf& brdf, float) { return brdf.diffuse_albedo; }
+inline glm::vec3 glossy_albedo(const MeasuredBrdf& brdf, float) { return brdf.specular_albedo; }
+inline GlossyLobe glossy_lobe(const MeasuredBrdf& brdf, float cos_outgoing) {
+  return detail::mirror_lobe(brdf.roughness, cos_outgoing);
+}
+
+template <class T>
+ZONAL_INLINE inline glm::vec<3, T> glossy_height(const MeasuredBrdf& brdf, const glm::vec<3, T>&, const glm::vec3& wo) {
+  return glm::vec<3, T>(brdf.specular_albedo * (0.5F * glossy_lobe(brdf, wo.z).sharpness() / float(kPi)));
+}
 
 namespace detail {
 

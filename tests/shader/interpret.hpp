@@ -1,8 +1,8 @@
 // A record run an operation at a time, in float: what a compiler of its text must come to.
 #pragma once
 
-#include <zonal/shader/recorded_function.hpp>
 #include <zonal/scalar/scalar.hpp>
+#include <zonal/shader/recorded_function.hpp>
 
 #include <cmath>
 #include <cstddef>

@@ -29,9 +29,11 @@ struct HorizonOf : Kernel {
   }
 };
 
-template <int NE>
+template <int NE, Horizon method = Horizon::smoothstep>
 struct HvlRadiance : Kernel {
-  static constexpr const char* name = NE == 1 ? "hvl_radiance_diffuse" : "hvl_radiance";
+  static constexpr const char* name = method == Horizon::exact ? "hvl_radiance_exact"
+                                      : NE == 1                ? "hvl_radiance_diffuse"
+                                                               : "hvl_radiance";
   static constexpr const char* summary =
       NE == 1 ? "The outgoing radiance that a diffuse virtual light causes: one band of emission."
               : "The outgoing radiance that a virtual light causes: three bands of emission.";
@@ -41,10 +43,10 @@ struct HvlRadiance : Kernel {
     using T = typename Io::Scalar;
     using Record = HvlRecord<NE, T>;
     Record light;
-    take(io, "light_position", Domain::position, light.position);
+    take(io, "light_position", Domain::light_position, light.position);
     take(io, "light_normal", Domain::unit_vector, light.normal);
     take(io, "light_tangent", Domain::unit_vector, light.tangent);
-    light.radius = io.number("light_radius", Domain::length);
+    light.radius = io.number("light_radius", Domain::radius);
     const auto emission = io.template triples<Record::emission_size>("light_emission", Domain::coefficient);
     for (int i = 0; i < 3 * Record::emission_size; ++i) {
       light.emission[i % 3][i / 3] = emission[static_cast<std::size_t>(i)];
@@ -66,7 +68,7 @@ struct HvlRadiance : Kernel {
       }
     }
     T radiance[3];
-    hvl_radiance<N, NE, Horizon::smoothstep>(light, receiver, material, radiance);
+    hvl_radiance<N, NE, method>(light, receiver, material, radiance);
     io.output_triples("radiance", 0).set(0, radiance[0], radiance[1], radiance[2]);
   }
 

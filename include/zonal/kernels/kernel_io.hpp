@@ -6,7 +6,8 @@
 //   auto y = io.output("y", N * N);
 //   evaluate<N>(direction[0], direction[1], direction[2], [&](auto l, auto m, const T& value) { y(l, m) = value; });
 //
-// With a Recorder that writes the shader function down, parameters and all; with a float it runs it.
+// There are two: DescribingIo, which keeps the parameters too, for whoever records a kernel or must know its inputs;
+// and PlainIo (plain_io.hpp), for whoever runs it. With a Recorder the first writes the shader function down.
 //
 // An entry for colours (OfColours in kernel_list.hpp) runs the same kernel three times, a channel at a time: its
 // coefficients are then triples, and what does not depend on them is shared, for a record holds no operation twice.
@@ -25,12 +26,14 @@ namespace zonal {
 inline namespace ZONAL_TARGET {
 namespace kernels {
 
-/// What the numbers of an input are: for documentation, and for the tests to draw them from.
+/// What the numbers of an input are: for documentation, and to draw them from (sampler.hpp).
 enum class Domain {
   coefficient,      // any number of moderate size
   unit_vector,      //
   position,         // any point
+  light_position,   // any point; ordinary ones are clear of the positions
   length,           // > 0
+  radius,           // > 0; ordinary ones are shorter than lengths
   angle,            // its cosine and sine, 0 to pi
   half_angle,       // its cosine and sine, 0 to pi/2
   cosine,           // -1 to 1
@@ -77,7 +80,7 @@ inline constexpr int all_orders = -1;
 /// Which coefficients are colours: none; those of the first operand; those of all.
 enum class Colours { none, first, all };
 
-/// Hands a kernel its inputs and collects its outputs.
+/// Hands a kernel its inputs, collects its outputs, and keeps what it calls them.
 template <class T>
 class DescribingIo {
  public:

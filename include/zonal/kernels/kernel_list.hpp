@@ -13,6 +13,7 @@
 #include "grid_kernels.hpp"
 #include "light_kernels.hpp"
 #include "lobe_kernels.hpp"
+#include "scalar_kernels.hpp"
 #include "transform_kernels.hpp"
 
 namespace zonal {
@@ -41,6 +42,9 @@ using SceneKernels = KernelList<Sphere, SphereWithGradient,                     
                                 CellWeightsOf<Interpolation::hermite>, ClearSums, AddSphere, FinishSums,  //
                                 HorizonOf<Horizon::smoothstep>, HorizonOf<Horizon::exact>,  // virtual lights
                                 HvlRadiance<1>, HvlRadiance<3>>;
+// They are no shader functions: of fixed lights, and for tests.
+using UnwrittenKernels =
+    KernelList<Arcs, SpotWithGradient, TriangleSphereWithGradient, PolygonWithGradient, HvlRadiance<3, Horizon::exact>>;
 
 /// visit(Entry{}) for each entry of the table, in its order.
 template <class Visit, class... Entries>

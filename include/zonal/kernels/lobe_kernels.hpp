@@ -41,7 +41,7 @@ struct SphereCap : Kernel {
   template <int N, class Io>
   static void run(Io& io) {
     using T = typename Io::Scalar;
-    const T distance = io.number("distance", Domain::length), radius = io.number("radius", Domain::length);
+    const T distance = io.number("distance", Domain::length), radius = io.number("radius", Domain::radius);
     const auto z = io.output("z", N);
     project_up_to_hemisphere<N>(SphericalCap<T>::from_sphere(distance, radius),
                                 [&](auto l, const T& value) { z[l] = value; });

@@ -133,33 +133,40 @@ struct ConvolveZonal : Kernel {
   }
 };
 
-struct Dot : Kernel {
+/// The sum of the products of coefficients; `take` reads an operand.
+template <class Entry>
+struct DotOf : Kernel {
+  template <int N, class Io>
+  static void run(Io& io) {
+    const auto a = Entry::template take<N>(io, "a", true), b = Entry::template take<N>(io, "b", false);
+    io.output("value", 0)[0] = dot(a, b);
+  }
+};
+
+struct Dot : DotOf<Dot> {
   static constexpr const char* name = "dot";
   static constexpr const char* summary = "The integral of a product: the sum of the products of coefficients.";
   template <int N, class Io>
-  static void run(Io& io) {
-    const auto a = detail::take_sh<N>(io, "a"), b = detail::take_sh<N>(io, "b", false);
-    io.output("value", 0)[0] = dot(a, b);
+  static auto take(Io& io, const char* parameter, bool is_first) {
+    return detail::take_sh<N>(io, parameter, is_first);
   }
 };
 
-struct DotEven : Kernel {
+struct DotEven : DotOf<DotEven> {
   static constexpr const char* name = "dot_even";
   static constexpr const char* summary = "The integral of a product of functions even in phi, coefficients of m >= 0.";
   template <int N, class Io>
-  static void run(Io& io) {
-    const auto a = detail::take_even<N>(io, "a"), b = detail::take_even<N>(io, "b", false);
-    io.output("value", 0)[0] = dot(a, b);
+  static auto take(Io& io, const char* parameter, bool is_first) {
+    return detail::take_even<N>(io, parameter, is_first);
   }
 };
 
-struct DotZonal : Kernel {
+struct DotZonal : DotOf<DotZonal> {
   static constexpr const char* name = "dot_zonal";
   static constexpr const char* summary = "The integral of a product of zonal functions about one axis.";
   template <int N, class Io>
-  static void run(Io& io) {
-    const auto a = detail::take_zonal<N>(io, "a"), b = detail::take_zonal<N>(io, "b", false);
-    io.output("value", 0)[0] = dot(a, b);
+  static auto take(Io& io, const char* parameter, bool is_first) {
+    return detail::take_zonal<N>(io, parameter, is_first);
   }
 };
 

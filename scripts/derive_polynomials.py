@@ -182,7 +182,7 @@ POLYNOMIAL_HEAD = f"""\
 #pragma once
 
 #include "../scalar/constexpr_math.hpp"
-#include "../scalar/scalar.hpp"
+#include "../scalar/vector3.hpp"
 #include "sh.hpp"
 
 namespace zonal {{{{
@@ -195,13 +195,13 @@ inline constexpr long double root_over_pi =
     constexpr_sqrt(static_cast<long double>(p) / (static_cast<long double>(q) * kPi));
 }}}}  // namespace detail
 
-/// evaluate<N>, 1 <= N <= {BANDS}, from the explicit polynomials at a unit vector: anything with v[0], v[1], v[2].
+/// evaluate<N>, 1 <= N <= {BANDS}, from the explicit polynomials at a unit vector.
 template <int N, class Direction>
 constexpr Sh<N, component_t<Direction>> evaluate_polynomial(const Direction& direction) {{{{
   static_assert(1 <= N && N <= {BANDS}, "bands out of range: the polynomials are written out for 1 <= N <= {BANDS}");
   using T = component_t<Direction>;
   using detail::root_over_pi;
-  [[maybe_unused]] const T x = direction[0], y = direction[1], z = direction[2];
+  [[maybe_unused]] const auto [x, y, z] = zonal::detail::as_direction<T>(direction);
   Sh<N, T> sh{{{{}}}};
 """
 
@@ -227,7 +227,7 @@ constexpr ShGradient<N, component_t<Direction>> evaluate_polynomial_with_gradien
   static_assert(1 <= N && N <= {BANDS}, "bands out of range: the polynomials are written out for 1 <= N <= {BANDS}");
   using T = component_t<Direction>;
   using detail::root_over_pi;
-  [[maybe_unused]] const T x = direction[0], y = direction[1], z = direction[2];
+  [[maybe_unused]] const auto [x, y, z] = zonal::detail::as_direction<T>(direction);
   ShGradient<N, T> sh{{{{}}}};  // many derivatives are zero
   sh.value = evaluate_polynomial<N>(direction);
   auto& by_x = sh.gradient[0];
@@ -239,7 +239,8 @@ GRADIENT_ACROSS = """
 /// The gradients without their part along the unit vector: those of Y_l^m(v/|v|).
 template <int N, class T, class Direction>
 constexpr ShGradient<N, T> across(ShGradient<N, T> sh, const Direction& direction) {
-  const T v[3] = {direction[0], direction[1], direction[2]};
+  const auto d = zonal::detail::as_direction<T>(direction);
+  const T v[3] = {d.x, d.y, d.z};
   for (int i = 0; i < N * N; ++i) {
     T along = T(0);
     for (int k = 0; k < 3; ++k) along = along + sh.gradient[k].values[i] * v[k];

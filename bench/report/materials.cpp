@@ -39,13 +39,7 @@ void add_measured(std::vector<NamedMaterial>& materials) {
 }  // namespace
 
 zonal::Brdf white_ggx(float roughness) { return {{zonal::GgxBrdf{roughness, zonal::SchlickFresnel{glm::vec3(1)}}}}; }
-zonal::Brdf matte(const glm::vec3& albedo) { return {{zonal::LambertBrdf{albedo}}}; }
-zonal::Brdf plastic(const glm::vec3& albedo, float roughness) {
-  return {{zonal::LambertBrdf{albedo}, zonal::GgxBrdf{roughness, zonal::DielectricFresnel{1.5F}}}};
-}
-zonal::Brdf gold(float roughness) {
-  return {{zonal::GgxBrdf{roughness, zonal::ConductorFresnel{{0.143F, 0.375F, 1.442F}, {3.983F, 2.386F, 1.603F}}}}};
-}
+zonal::Brdf gold(float roughness) { return zonal::metal(*zonal::find_metal("gold"), roughness); }
 
 std::vector<NamedMaterial> all_materials() {
   std::vector<NamedMaterial> materials{

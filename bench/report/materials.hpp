@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <zonal/material/brdf.hpp>
+#include <zonal/material/named.hpp>
 
 namespace zonal_report {
 
@@ -14,10 +14,11 @@ struct NamedMaterial {
   zonal::Brdf brdf;
 };
 
+using zonal::matte;
+using zonal::plastic;
+
 /// GGX that reflects all that meets a facet.
 zonal::Brdf white_ggx(float roughness);
-zonal::Brdf matte(const glm::vec3& albedo);
-zonal::Brdf plastic(const glm::vec3& albedo, float roughness);
 zonal::Brdf gold(float roughness);
 
 /// Models, and what lies in the folders merl and rgl of $ZONAL_DATA.

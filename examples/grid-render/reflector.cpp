@@ -20,8 +20,11 @@ zonal::BrdfLobe without_colour(const zonal::GgxBrdf& lobe) {
 zonal::BrdfLobe without_colour(const zonal::PhongBrdf& lobe) {
   return zonal::PhongBrdf{glm::vec3(1.0f), lobe.exponent};
 }
-/// Measured: the shape of its red channel stands for all.
-zonal::BrdfLobe without_colour(const zonal::MeasuredBrdf& lobe) { return lobe; }
+/// Measured, or unknown: the shape of its red channel stands for all.
+template <class Lobe>
+zonal::BrdfLobe without_colour(const Lobe& lobe) {
+  return lobe;
+}
 
 using Kernel = zonal::Zh<most_lobe_bands, float>;
 

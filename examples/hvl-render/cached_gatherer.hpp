@@ -9,18 +9,15 @@
 
 namespace example::hvl_render {
 
-/// A ray to the light's centre, just off its surface; or none, and all is visible.
-inline zonal::Visibility visibility(const GatherInput& input, const Hit& hit) {
-  if (!input.options.centre_visibility) return {};
-  struct Ray {
-    const RayCaster& caster;
-    const Hit& from;
-  };
-  const Ray ray{input.caster, hit};
-  return [ray](const glm::vec3& position, const glm::vec3& normal) {
-    return ray.caster.visible(ray.from, Hit{position, normal, normal, 0.0f, 0});
-  };
-}
+/// A ray from a hit to a light's centre, just off its surface.
+struct CentreRay {
+  const RayCaster& caster;
+  const Hit& from;
+
+  bool operator()(const glm::vec3& position, const glm::vec3& normal) const {
+    return caster.visible(from, Hit{position, normal, normal, 0.0f, 0});
+  }
+};
 
 /// A cache of lights and one of the library's gathers: a callable (cache, receiver, number of the material, number of
 /// the sample, visibility) -> radiance.
@@ -31,8 +28,10 @@ class CachedGatherer final : public Gatherer {
       : input_(input), cache_(std::move(cache)), gather_(std::move(gather)) {}
 
   glm::vec3 indirect_radiance(const Hit& hit, const glm::vec3& outgoing, std::size_t sample) const override {
-    const zonal::Receiver receiver{hit.position, hit.normal, outgoing};
-    return gather_(cache_, receiver, hit.material, sample, visibility(input_, hit));
+    const zonal::Receiver receiver{hit.position, hit.normal, outgoing, hit.tangent};
+    const CentreRay ray{input_.caster, hit};
+    const bool is_asked = input_.options.centre_visibility;  // else all is visible
+    return gather_(cache_, receiver, hit.material, sample, is_asked ? zonal::Visibility(ray) : zonal::Visibility());
   }
 
  private:

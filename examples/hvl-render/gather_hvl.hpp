@@ -44,6 +44,9 @@ std::unique_ptr<Gatherer> make_hvl(const GatherInput& input) {
       if constexpr (is_compiled(H, N, NE)) {
         const auto gather = [&tables = input.materials](const auto& cache, const zonal::Receiver& receiver,
                                                         auto material, std::size_t, const zonal::Visibility& visible) {
+          if (const auto& anisotropic = tables.anisotropic[material]) {
+            return zonal::gather<N, NE, H>(cache, receiver, *anisotropic, visible);
+          }
           return zonal::gather<N, NE, H>(cache, receiver, tables.receiving[material], visible);
         };
         gatherer = make_cached(input, zonal::HvlCache<NE>(lit(input.map)), gather);

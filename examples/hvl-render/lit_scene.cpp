@@ -1,6 +1,7 @@
 #include "lit_scene.hpp"
 
 #include "shared/input_error.hpp"
+#include "shared/materials.hpp"
 #include "shared/program.hpp"
 #include "shared/view.hpp"
 
@@ -28,6 +29,9 @@ Scene load_scene(const Options& options) {
   apply(options.camera, scene.camera);
   apply(options.light, light_target, scene.light);
   apply(options.materials, scene.materials);
+  if (options.multiple_scattering) {
+    for (Material& material : scene.materials) material.brdf = with_multiple_scattering(material.brdf);
+  }
   return scene;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include <zonal/material/measured.hpp>
@@ -50,9 +51,7 @@ std::optional<zonal::Brdf> parse_model(const std::string& model, const std::stri
 zonal::MeasuredBrdf load_measured(const std::filesystem::path& path) {
   try {
     if (path.extension() == ".binary") return zonal::measured(zonal::load_merl(path));
-    zonal::RglBrdf brdf = zonal::load_rgl(path);
-    if (!brdf.isotropic()) throw InputError(path.string() + ": is anisotropic, which virtual lights do not take");
-    return zonal::measured(std::move(brdf));
+    return zonal::measured(zonal::load_rgl(path));
   } catch (const zonal::FileError& error) {
     throw InputError(error.what());
   }
@@ -85,8 +84,11 @@ MaterialChange parse_material_change(const std::string& text) {
 }
 
 void apply(const std::vector<MaterialChange>& changes, std::vector<Material>& materials) {
+  std::map<std::string, Material> made;  // by spec: a file is read once
   for (const MaterialChange& change : changes) {
-    const Material changed = make_material(change.spec);
+    const auto known = made.find(change.spec);
+    const Material& changed =
+        (known != made.end() ? known : made.emplace(change.spec, make_material(change.spec)).first)->second;
     bool found = false;
     for (Material& material : materials) {
       if (change.name != "*" && change.name != material.name) continue;

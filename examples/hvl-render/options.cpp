@@ -49,10 +49,16 @@ void add_material_options(CLI::App& app, Options& options) {
            for (const std::string& text : texts) options.materials.push_back(parse_material_change(text));
          },
          "Make the scene's material NAME (* for all) another; may be repeated. SPEC: " + material_specs() +
-             "; files are of the MERL and RGL databases")
+             "; files are of the MERL and RGL databases; the x axis of anisotropic ones is horizontal, and x where the "
+             "surface is "
+             "level")
       ->type_name("NAME=SPEC")
       ->allow_extra_args(false)
       ->take_all()
+      ->group(scene_group);
+  app.add_flag(
+         "--multiple-scattering", options.multiple_scattering,
+         "Metals and mirrors reflect also what bounces between their microfacets, up to 69 % where they are rough")
       ->group(scene_group);
   app.add_option("--material-cache", options.material_cache, "Keep the projections of files there, for the next run")
       ->type_name("DIRECTORY")

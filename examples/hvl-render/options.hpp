@@ -31,6 +31,7 @@ struct Options : CommonOptions {
   LightOverrides light;
 
   std::vector<MaterialChange> materials;
+  bool multiple_scattering = false;
   std::string material_cache;  // a directory; empty: none
 
   Method method = Method::hvl;

@@ -40,6 +40,7 @@ nlohmann::json options_json(const Options& options) {
                {"vsl_samples", options.vsl_samples},
                {"vsgl_texels", options.vsgl_texels},
                {"materials", materials_json(options.materials)},
+               {"multiple_scattering", options.multiple_scattering},
                {"lights", options.lights},
                {"bands", options.bands},
                {"emission_bands", options.emission_bands},

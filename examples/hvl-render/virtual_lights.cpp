@@ -34,7 +34,11 @@ zonal::VirtualLight shoot(const Scene& scene, const RayCaster& caster, const Mat
   light.normal = hit->normal;
   light.primary_distance = hit->distance;
   light.brdf = &scene.materials[hit->material].brdf;
-  if (!tables.emitting.empty()) light.material = &tables.emitting[hit->material];
+  light.tangent = hit->tangent;
+  if (!tables.emitting.empty()) {
+    light.material = &tables.emitting[hit->material];
+    light.anisotropic = tables.anisotropic[hit->material].get();
+  }
   // Intensity times solid angle is all the light that lands there, whatever the surface's slope.
   light.flux = scene.light.intensity_towards(direction) * texel_solid_angle;
   return light;
@@ -106,6 +110,15 @@ std::optional<std::uint64_t> fingerprint(const Material& material) {
   }
 }
 
+/// A table that projects a row when it is asked for one; every 4 degrees of azimuth.
+std::shared_ptr<const zonal::AnisotropicTable> anisotropic_table(const Material& material, int bands,
+                                                                 const Options& options) {
+  constexpr int azimuths = 90;
+  auto table = std::make_shared<zonal::AnisotropicTable>(material.brdf, bands, tolerance_of(material), azimuths);
+  table->set_windows(options.window, options.bands, options.emission_bands);
+  return table;
+}
+
 /// From the cache, where there is one and the material comes from a file.
 zonal::MaterialTable project(const Material& material, std::optional<std::uint64_t> fingerprint, int bands,
                              const Options& options) {
@@ -139,23 +152,29 @@ MaterialTables project_materials(const std::vector<Material>& materials, const O
     throw_if_interrupted();
     const std::optional<std::uint64_t> file = fingerprint(material);
     const auto known = file ? projected.find(*file) : projected.end();
+    const bool isotropic = is_isotropic(material.brdf);
     if (options.method == Method::hvl_zonal) {
+      if (!isotropic)
+        throw InputError(material.file.string() + ": is anisotropic, which --method hvl-zonal does not take");
       tables.zonal.push_back(known != projected.end() ? zonal::ZonalTable(tables.zonal[known->second])
                                                       : zonal::project_zonal(material.brdf, options.bands,
                                                                              tolerance_of(material), for_each));
-      if (file) projected.try_emplace(*file, tables.zonal.size() - 1);
     } else if (options.method == Method::hvl) {
       if (known != projected.end()) {
-        tables.receiving.push_back(zonal::MaterialTable(tables.receiving[known->second]));
-        tables.emitting.push_back(zonal::MaterialTable(tables.emitting[known->second]));
+        const std::size_t first = known->second;
+        tables.receiving.push_back(zonal::MaterialTable(tables.receiving[first]));
+        tables.emitting.push_back(zonal::MaterialTable(tables.emitting[first]));
+        tables.anisotropic.push_back(std::shared_ptr<const zonal::AnisotropicTable>(tables.anisotropic[first]));
         continue;
       }
-      if (file) projected.emplace(*file, tables.receiving.size());
-      const zonal::MaterialTable table = project(material, file, bands, options);
+      const zonal::MaterialTable table =
+          isotropic ? project(material, file, bands, options) : zonal::project_material(zonal::Brdf{}, bands);
       tables.receiving.push_back(table.windowed(options.window, options.bands));
       tables.emitting.push_back(table.windowed(options.window, options.emission_bands));
+      tables.anisotropic.push_back(isotropic ? nullptr : anisotropic_table(material, bands, options));
       tables.error = std::max(tables.error, table.achieved_error());
     }
+    if (file) projected.emplace(*file, static_cast<std::size_t>(&material - materials.data()));
   }
   return tables;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include <zonal/gather/virtual_light.hpp>
@@ -18,7 +19,9 @@ struct MaterialTables {
   std::vector<zonal::MaterialTable> receiving;
   std::vector<zonal::MaterialTable> emitting;
   std::vector<zonal::ZonalTable> zonal;
-  double error = 0.0;  // greatest of the projections, of each table's largest coefficient
+  /// Null for isotropic materials; those of the others fill themselves, and what stands above for them is black.
+  std::vector<std::shared_ptr<const zonal::AnisotropicTable>> anisotropic;
+  double error = 0.0;  // greatest of the isotropic projections, of each table's largest coefficient
 };
 
 MaterialTables project_materials(const std::vector<Material>& materials, const Options& options);

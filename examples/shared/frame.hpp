@@ -18,6 +18,15 @@ class Frame {
     bitangent_ = glm::vec3(b, sign + normal.y * normal.y * a, -normal.y);
   }
 
+  /// With its x axis along the part of `tangent` that is normal to the normal; as above where there is none.
+  Frame(const glm::vec3& normal, const glm::vec3& tangent) : Frame(normal) {
+    const glm::vec3 flat = tangent - glm::dot(tangent, normal) * normal;
+    const float length2 = glm::dot(flat, flat);
+    if (!(length2 > 1e-12f)) return;
+    tangent_ = flat / std::sqrt(length2);
+    bitangent_ = glm::cross(normal, tangent_);
+  }
+
   glm::vec3 to_local(const glm::vec3& world) const {
     return {glm::dot(world, tangent_), glm::dot(world, bitangent_), glm::dot(world, normal_)};
   }

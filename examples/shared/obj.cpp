@@ -6,7 +6,10 @@
 #include <limits>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
+
+#include <zonal/material/energy.hpp>
 
 #include "input_error.hpp"
 #include "materials.hpp"
@@ -31,6 +34,15 @@ constexpr float dielectric = 0.04f;  // the reflectance of what is no metal
 /// Ks / pi times the integral of (n.h)^Ns 4 dh remains.
 float highlight_share(float exponent) { return std::min(1.0f, 8.0f / (exponent + 2.0f)); }
 
+/// A glossy lobe, and a body that sends back `diffuse` of light along the normal; from wherever it is seen, no more
+/// than the lobe leaves. diffuse: at most 1 - f0.
+zonal::Brdf varnished(const glm::vec3& diffuse, const zonal::GgxBrdf& gloss) {
+  const glm::vec3 f0 = std::get<zonal::SchlickFresnel>(gloss.fresnel).f0;
+  if (f0 == glm::vec3(0.0f)) return matte(diffuse);
+  if (diffuse == glm::vec3(0.0f)) return {{gloss}};
+  return zonal::coated(gloss, glm::clamp(diffuse / glm::max(1.0f - f0, 1e-6f), 0.0f, 1.0f));
+}
+
 Material make_material(const MtlMaterial& source) {
   const auto share = [](const glm::vec3& colour) { return glm::clamp(colour, 0.0f, 1.0f); };
   const float exponent = std::max(source.exponent.value_or(default_exponent), 0.0f);
@@ -50,11 +62,8 @@ Material make_material(const MtlMaterial& source) {
   // Many files reflect more than they receive.
   diffuse = glm::min(diffuse, 1.0f - specular);
   Material material{source.name, {}, {}, glm::max(source.emission, 0.0f)};
-  if (diffuse != glm::vec3(0.0f)) material.brdf.lobes.push_back(zonal::LambertBrdf{diffuse});
-  if (specular != glm::vec3(0.0f)) {
-    const float alpha = std::clamp(roughness, least_roughness, 1.0f);
-    material.brdf.lobes.push_back(zonal::GgxBrdf{alpha, zonal::SchlickFresnel{specular}});
-  }
+  const float alpha = std::clamp(roughness, least_roughness, 1.0f);
+  material.brdf = varnished(diffuse, {alpha, zonal::SchlickFresnel{specular}});
   return material;
 }
 

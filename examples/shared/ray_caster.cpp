@@ -32,6 +32,13 @@ glm::vec3 interpolated_normal(const Mesh& mesh, const glm::uvec3& triangle, floa
   return (1.0f - u - v) * mesh.normals[triangle.x] + u * mesh.normals[triangle.y] + v * mesh.normals[triangle.z];
 }
 
+/// The x axis of the surface's own frame: horizontal, counter-clockwise seen from above (y is up); where the surface is
+/// level, along x. Materials are thus brushed around the vertical axis.
+glm::vec3 surface_tangent(const glm::vec3& normal) {
+  const glm::vec3 horizontal(normal.z, 0.0f, -normal.x);
+  return glm::dot(horizontal, horizontal) > 1e-6f ? horizontal : glm::vec3(1.0f, 0.0f, 0.0f);
+}
+
 Hit make_hit(const Mesh& mesh, const RTCRayHit& found, const glm::vec3& direction) {
   const glm::uvec3 triangle = mesh.triangles[found.hit.primID];
   const glm::vec3& a = mesh.positions[triangle.x];
@@ -52,6 +59,7 @@ Hit make_hit(const Mesh& mesh, const RTCRayHit& found, const glm::vec3& directio
   hit.distance = found.ray.tfar;
   hit.from_behind = from_behind;
   hit.material = mesh.triangle_materials[found.hit.primID];
+  hit.tangent = surface_tangent(hit.normal);
   return hit;
 }
 

@@ -19,6 +19,7 @@ struct Hit {
   float distance;              // metres
   std::uint32_t material;
   bool from_behind = false;  // met on the side that its mesh's normals turn away from
+  glm::vec3 tangent{0.0f};   // the x axis of an anisotropic material: horizontal; not of unit length
 };
 
 /// Visibility in a scene, by Embree. The scene must outlive it. Safe to use from many threads.

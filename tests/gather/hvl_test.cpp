@@ -39,6 +39,16 @@ glm::vec3 gather_at(const zonal::HvlCache<NE>& cache, const Surface& surface) {
   return zonal::gather<N, NE, method>(cache, surface, *surface.material);
 }
 
+/// The same of lights whose materials are known to be isotropic: at 21 bands the kernel for others takes long to
+/// compile.
+template <int N, int NE>
+glm::vec3 gather_isotropic_at(const zonal::HvlCache<NE>& cache, const Surface& surface) {
+  const auto coefficients = surface.material->with_cosine<N>(glm::dot(surface.normal, surface.outgoing));
+  const auto frame = zonal::detail::frame_of<typename zonal::HvlCache<NE>::Lanes>(surface);
+  return (glm::max)(zonal::detail::gather_from<N, NE, Horizon::smoothstep>(cache, frame, coefficients, {}),
+                    glm::vec3(0));
+}
+
 /// The formula at the head of hvl.hpp, light by light, in double and with all N^2 coefficients.
 template <int N, int NE, Horizon method>
 glm::dvec3 gather_by_definition(const std::vector<VirtualLight>& lights, const Surface& receiver) {
@@ -131,7 +141,7 @@ TEST_CASE("gather: a white floor under a sphere reflects E / pi = L sin^2 a cos 
       Surface receiver = receiver_on_the_floor();
       receiver.material = &materials().white.table;
       const float expected = 5 * sine * sine * std::sin(elevation);
-      const float got = gather_at<21, 1>(zonal::HvlCache<1>({light}), receiver).x;
+      const float got = gather_isotropic_at<21, 1>(zonal::HvlCache<1>({light}), receiver).x;
       CAPTURE(distance, elevation, sine);
       CHECK(std::abs(got - expected) <= 5 * sine * sine * 2e-3F);  // 21 bands of the clamped cosine
     }

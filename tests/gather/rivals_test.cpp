@@ -14,6 +14,19 @@
 #include "furnace.hpp"
 #include "support.hpp"
 
+namespace mine {
+
+/// A user's model: evaluate() alone.
+struct Chalk {};
+
+template <class T>
+glm::vec<3, T> evaluate(const Chalk&, const glm::vec<3, T>& wi, const glm::vec<3, T>& wo) {
+  const bool above = wi.z > T(0) && wo.z > T(0);
+  return glm::vec<3, T>(T(0.5), T(0.3), T(0.1)) * T(above ? 0.31830988618379067 : 0.0);
+}
+
+}  // namespace mine
+
 using namespace gather_test;
 using zonal::LightCache;
 using zonal::Receiver;
@@ -410,5 +423,27 @@ TEST_CASE("furnace: in a closed white sphere every method keeps the energy, to t
     check("hvl 9", row.hvl9, [&](const Receiver& r) { return zonal::gather<9>(hvl, r, row.material.table); });
     check("hvl zonal", row.zonal, [&](const Receiver& r) { return zonal::gather_hvl_zonal<15>(cache, r, table); });
     check("vsgl", row.vsgl, [&](const Receiver& r) { return gather_vsgl(gaussians, r, brdf); });
+  }
+}
+
+TEST_CASE("VPL, VSL and VSGL of a user's own model are those of the model it copies") {
+  const zonal::Brdf brdf{{zonal::LambertBrdf{{0.5F, 0.3F, 0.1F}}}}, own{{zonal::custom(mine::Chalk{})}};
+  Random random(91);
+  for (int trial = 0; trial < 20; ++trial) {
+    std::vector<VirtualLight> lights = random_lights(random, 9), same = lights;
+    for (VirtualLight& light : lights) light.brdf = &brdf;
+    for (VirtualLight& light : same) light.brdf = &own;
+    const zonal::Receiver receiver{{0, 0, 0}, {0, 0, 1}, random.direction_above({0, 0, 1})};
+    const zonal::LightCache cache(lights), own_cache(same);
+    CAPTURE(trial);
+    check_close(gather_vpl(own_cache, receiver, own), glm::dvec3(gather_vpl(cache, receiver, brdf)), 1e-5);
+    Random first(3), second(3);
+    check_close(gather_vsl(own_cache, receiver, own, 1024, first),
+                glm::dvec3(gather_vsl(cache, receiver, brdf, 1024, second)), 0.05);
+    const auto gaussians = [&](const std::vector<VirtualLight>& map) {
+      return zonal::GaussianCache(zonal::make_gaussian_lights(map.data(), 3, 3));
+    };
+    check_close(gather_vsgl(gaussians(same), receiver, own), glm::dvec3(gather_vsgl(gaussians(lights), receiver, brdf)),
+                1e-5);
   }
 }

@@ -1,10 +1,10 @@
 // Writes every GLSL function, with a caller between flat arrays of floats, for glm_functions.cpp: 1, 2 and 4 bands.
-#include <zonal/glsl/function_text.hpp>
+#include <zonal/shader/function_text.hpp>
 
 #include <cstdio>
 #include <fstream>
 
-#include "../glsl/caller.hpp"
+#include "../shader/caller.hpp"
 #include "shader_functions.hpp"
 
 int main(int argc, char** argv) {
@@ -14,8 +14,8 @@ int main(int argc, char** argv) {
   for (const auto& entry : zonal_glsl::shader_functions()) {
     for (const int bands : {1, 2, 4}) {
       if (!entry.has_bands && bands > 1) continue;
-      const auto function = entry.record(bands, zonal::glsl::all_orders);
-      file << function_text(function, *zonal::glsl::find_dialect("glsl450")) << caller_text(function, "int");
+      const auto function = entry.record(bands, zonal::shader::all_orders);
+      file << function_text(function, *zonal::shader::find_dialect("glsl450")) << caller_text(function, "int");
       table += "    {\"" + function.name + "\", call_" + function.name + "},\n";
     }
   }

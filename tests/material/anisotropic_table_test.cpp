@@ -79,7 +79,7 @@ TEST_CASE("anisotropic: an isotropic material has the coefficients of its own pr
 
 TEST_CASE("anisotropic table: rows are built when asked for, once, and half-way between them the stated bound holds") {
   const Microfacets f{0.2, 0.5};
-  const zonal::AnisotropicTable<N> table(f, 1e-3);
+  const zonal::AnisotropicTable table(f, N, 1e-3);
   CHECK(table.rows_built() == 0);
   int expected = 0;
   for (const double degrees : {0.5, 40.5, 75.5}) {
@@ -89,11 +89,11 @@ TEST_CASE("anisotropic table: rows are built when asked for, once, and half-way 
       const auto exact =
           zonal::project_anisotropic_brdf<N>(f, std::cos(degrees * pi / 180.0), radians, 1e-4, quadrature());
       CAPTURE(degrees, azimuth);
-      CHECK(largest_difference(table.with_cosine(wo), exact.with_cosine) <=
+      CHECK(largest_difference(table.with_cosine<N>(wo), exact.with_cosine) <=
             2e-3 * largest_coefficient(exact.with_cosine));
-      CHECK(largest_difference(table.without_cosine(wo), exact.without_cosine) <=
+      CHECK(largest_difference(table.without_cosine<N>(wo), exact.without_cosine) <=
             2e-3 * largest_coefficient(exact.without_cosine));
-      CHECK(largest_difference(table.with_cosine(wo), table.with_cosine(wo)) == 0.0);
+      CHECK(largest_difference(table.with_cosine<N>(wo), table.with_cosine<N>(wo)) == 0.0);
       expected += azimuth == 359.5 ? 2 : 4;  // 359 and 0: the latter is there from 0.5
       CHECK(table.rows_built() == expected);
     }
@@ -102,12 +102,12 @@ TEST_CASE("anisotropic table: rows are built when asked for, once, and half-way 
 
 TEST_CASE("anisotropic table: threads that ask at once get the same rows") {
   const Microfacets f{0.4, 0.5};
-  const zonal::AnisotropicTable<3> table(f, 1e-2);
+  const zonal::AnisotropicTable table(f, 3, 1e-2);
   std::vector<zonal::Sh<3, glm::vec3>> results[3];
   std::vector<std::thread> threads;
   for (auto& result : results) {
     threads.emplace_back([&table, &result] {
-      for (int i = 0; i < 30; ++i) result.push_back(table.with_cosine(glm::vec3(direction(0.5 + 0.001 * i, 1.0))));
+      for (int i = 0; i < 30; ++i) result.push_back(table.with_cosine<3>(glm::vec3(direction(0.5 + 0.001 * i, 1.0))));
     });
   }
   for (std::thread& thread : threads) thread.join();
@@ -120,15 +120,15 @@ TEST_CASE("anisotropic table: threads that ask at once get the same rows") {
 
 TEST_CASE("anisotropic table: directions at the horizon, at the normal and on the seam of the azimuth") {
   const Microfacets f{0.4, 0.6};
-  const zonal::AnisotropicTable<3> table(f, 1e-2);
+  const zonal::AnisotropicTable table(f, 3, 1e-2);
   for (const glm::vec3 wo : {glm::vec3(0, 0, 1), glm::vec3(1, 0, 0), glm::vec3(-1, 0, 0), glm::vec3(-1, -0.0F, 0),
                              glm::vec3(0, -1, 0), glm::vec3(0.6F, -1e-9F, 0.8F), glm::vec3(std::nanf(""))}) {
-    const auto sh = table.with_cosine(wo);
+    const auto sh = table.with_cosine<3>(wo);
     CAPTURE(wo.x, wo.y, wo.z);
     for (const glm::vec3& c : sh) CHECK((std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z)));
     CHECK(sh(0, 0).x > 0.0F);
   }
   // f is its own image turned by pi
-  const auto a = table.with_cosine({0.6F, 0.0F, 0.8F}), b = table.with_cosine({-0.6F, 0.0F, 0.8F});
+  const auto a = table.with_cosine<3>({0.6F, 0.0F, 0.8F}), b = table.with_cosine<3>({-0.6F, 0.0F, 0.8F});
   CHECK(largest_difference(a, b) <= 1e-5);
 }

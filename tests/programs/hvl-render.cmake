@@ -136,6 +136,7 @@ foreach(scene atrium-diffuse atrium-glossy furnace)
   renders("${scene}" "x.png" "" --scene ${scene} --out x.png)
 endforeach()
 renders("other materials" "x.exr" "" --out x.exr --material gold=copper:0.1 --material *=plastic:0.1,0.2,0.3,0.4)
+renders("multiple scattering" "x.exr" "" --out x.exr --multiple-scattering --material gold=copper:1)
 program_case("time budget of many texels" 0 "x.png" "" $<TARGET_FILE:hvl-render>
   --size 32x24 --method vsgl --vsgl-texels 128 --time-budget 0.01 --out x.png --quiet)
 # What is black is said to be, and the table has no numbers that are none.

@@ -2,6 +2,7 @@
 // share nothing with it, and materials from files.
 #include "hvl-render/direct_light.hpp"
 #include "hvl-render/gatherer.hpp"
+#include "hvl-render/lit_scene.hpp"
 #include "hvl-render/material_change.hpp"
 #include "hvl-render/path.hpp"
 #include "hvl-render/time_budget.hpp"
@@ -119,7 +120,7 @@ glm::dvec3 by_light_tracing(const Scene& scene, const RayCaster& caster, const s
   const auto visible = [&](const glm::vec3& position, const glm::vec3& normal) {
     return caster.visible(hit, Hit{position, normal, normal, 0.0f, 0});
   };
-  return glm::dvec3(gather_vpl(cache, {hit.position, hit.normal, to_camera(scene, hit)},
+  return glm::dvec3(gather_vpl(cache, {hit.position, hit.normal, to_camera(scene, hit), hit.tangent},
                                scene.materials[hit.material].brdf, 0.0f, visible));
 }
 
@@ -334,6 +335,80 @@ TEST_CASE("materials: the cache's directory is made; where it cannot be, that is
   CHECK_THROWS_AS(project_materials(scene.materials, options), InputError);
 }
 
+TEST_CASE("materials: an anisotropic file is gathered in the surface's own frame, by every method that takes it") {
+  const Folder folder;
+  const std::string file = (folder.path / "x.bsdf").string();
+  material_test::RglGrid grid;
+  grid.phi_nodes = 5;
+  grid.theta_nodes = 3;
+  grid.square = grid.rgb = 12;
+  file_test::write(file, material_test::tensor_file(material_test::rgl_tensors({0.3, 0.7}, grid)));
+  Scene scene = box_scene();
+  apply({parse_material_change("*=" + file)}, scene.materials);
+  for (const Material& material : scene.materials) CHECK_FALSE(is_isotropic(material.brdf));
+  const RayCaster caster(scene);
+  Options options;
+  options.lights = 4;
+  options.bands = 3;
+  options.emission_bands = 3;
+  options.method = Method::hvl;
+  const MaterialTables tables = project_materials(scene.materials, options);
+  REQUIRE(tables.anisotropic.size() == scene.materials.size());
+  REQUIRE(tables.anisotropic[0] != nullptr);
+  CHECK(tables.anisotropic[0] == tables.anisotropic.back());
+  CHECK(tables.anisotropic[0]->rows_built() == 0);
+  const std::optional<Hit> hit =
+      caster.closest(scene.camera.position, glm::normalize(scene.camera.target - scene.camera.position));
+  REQUIRE(hit);
+  CHECK(std::abs(hit->tangent.y) <= 1e-6f);
+  for (const Method method : {Method::hvl, Method::vpl, Method::vsl, Method::vsgl}) {
+    options.method = method;
+    const MaterialTables own = method == Method::hvl ? tables : project_materials(scene.materials, options);
+    const VirtualLightMap map = shoot_virtual_lights(scene, caster, own, options);
+    const auto gatherer = make_gatherer({scene, caster, own, map, options});
+    const glm::vec3 radiance = gatherer->indirect_radiance(*hit, to_camera(scene, *hit), 0);
+    CAPTURE(static_cast<int>(method), radiance.x, radiance.y, radiance.z);
+    for (int c = 0; c < 3; ++c) CHECK((std::isfinite(radiance[c]) && radiance[c] >= 0.0f));
+  }
+  CHECK(tables.anisotropic[0]->rows_built() > 0);
+  // Paths know nothing of virtual lights, but of the same frames.
+  const auto lights = lit(points_of(scene, caster, 200));
+  const PathTracer tracer(scene, caster, {16384, 1, 7}, 1);
+  for (const Hit& at : some_hits(scene, caster)) {
+    const glm::dvec3 tracing = by_light_tracing(scene, caster, lights, at), paths(tracer.indirect_radiance(at, 1));
+    CAPTURE(at.normal.x, at.normal.y, at.normal.z, tracing.x, paths.x);
+    CHECK(std::abs(tracing.x - paths.x) <= 0.04 * paths.x);
+  }
+  options.method = Method::hvl_zonal;
+  CHECK_THROWS_AS(project_materials(scene.materials, options), InputError);
+}
+
+TEST_CASE("materials: light between microfacets is added to metals alone, where it is asked for") {
+  Options options;
+  const auto red_of = [&options](const std::string& name) {
+    const Scene scene = load_scene(options);
+    for (const Material& material : scene.materials) {
+      if (material.name != name) continue;
+      double sum = 0.0;  // of uniform light, seen from the normal
+      constexpr int rings = 400;
+      for (int i = 0; i < rings; ++i) {
+        const double z = (i + 0.5) / rings, s = std::sqrt(1.0 - z * z);
+        const glm::dvec3 wi(s, 0.0, z);
+        sum += zonal::evaluate(material.brdf, wi, glm::dvec3(0.0, 0.0, 1.0)).x * z * 2.0 * glm::pi<double>() / rings;
+      }
+      return sum;
+    }
+    return -1.0;
+  };
+  options.materials = {parse_material_change("gold=silver:1"), parse_material_change("plaster=plastic:0.5,0.5,0.5,1")};
+  const double metal = red_of("gold"), plastic = red_of("plaster");
+  options.multiple_scattering = true;
+  CAPTURE(metal, red_of("gold"));
+  CHECK(metal < 0.35);  // 31 %
+  CHECK((red_of("gold") > 0.9 && red_of("gold") < 1.0));
+  CHECK(red_of("plaster") == plastic);
+}
+
 TEST_CASE("materials: what is wrong with a file is said in one line") {
   using file_test::contains;
   const Folder folder;
@@ -344,10 +419,6 @@ TEST_CASE("materials: what is wrong with a file is said in one line") {
   file_test::write(rgl, "no tensors");
   CHECK(contains(error_of("gold=" + rgl), "x.bsdf: "));
   material_test::RglGrid grid;
-  grid.phi_nodes = 5;
-  file_test::write(rgl, material_test::tensor_file(material_test::rgl_tensors({0.2, 0.5}, grid)));
-  CHECK(contains(error_of("gold=" + rgl), "x.bsdf: is anisotropic"));
-  grid.phi_nodes = 1;
   file_test::write(rgl, material_test::tensor_file(material_test::rgl_tensors({0.3, 0.3}, grid)));
   CHECK(error_of("gold=" + rgl).empty());
   for (const std::string& text : {error_of("gold=" + merl), error_of("brass=gold"), error_of("gold=brass")}) {

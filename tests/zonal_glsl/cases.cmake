@@ -64,6 +64,11 @@ add_test(NAME "zonal-glsl: operation counts" COMMAND ${cases_dir}/operation_coun
 # The same text every time; and every function at every number of bands in less than a second.
 add_test(NAME "zonal-glsl: same text, in time" COMMAND ${cases_dir}/same_text.sh $<TARGET_FILE:zonal-glsl>)
 
+# shaders/, for those who copy a file, is what the program writes.
+add_test(NAME "zonal-glsl: shaders/ as they are written" COMMAND
+  ${cases_dir}/same_shaders.sh $<TARGET_FILE:zonal-glsl> ${PROJECT_SOURCE_DIR} ${CMAKE_CXX_COMPILER} ${work_dir}/copied)
+set_tests_properties("zonal-glsl: shaders/ as they are written" PROPERTIES TIMEOUT 60)
+
 # The shaders of the documents, as they stand.
 add_test(NAME "zonal-glsl: documents" COMMAND
   ${cases_dir}/compile_documents.sh $<TARGET_FILE:zonal-glsl> ${PROJECT_SOURCE_DIR}/docs/examples ${work_dir}/documents)

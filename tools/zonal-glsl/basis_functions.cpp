@@ -2,11 +2,11 @@
 
 namespace zonal_glsl {
 
-void append_basis_functions(std::vector<zonal::glsl::FunctionEntry>& entries);
+void append_basis_functions(std::vector<zonal::shader::FunctionEntry>& entries);
 
-void append_basis_functions(std::vector<zonal::glsl::FunctionEntry>& entries) {
-  zonal::glsl::append_functions<zonal::glsl::BasisFunctions>(entries);
-  zonal::glsl::append_functions<zonal::glsl::ColourFunctions>(entries);
+void append_basis_functions(std::vector<zonal::shader::FunctionEntry>& entries) {
+  zonal::shader::append_functions<zonal::kernels::BasisKernels>(entries);
+  zonal::shader::append_functions<zonal::kernels::ColourKernels>(entries);
 }
 
 }  // namespace zonal_glsl

@@ -7,8 +7,8 @@
 #include <CLI/CLI.hpp>
 #include <zonal/file/output_file.hpp>
 #include <zonal/file/standard_output.hpp>
-#include <zonal/glsl/file_text.hpp>
-#include <zonal/glsl/function_table.hpp>
+#include <zonal/shader/file_text.hpp>
+#include <zonal/shader/function_table.hpp>
 
 #include "request.hpp"
 
@@ -19,7 +19,7 @@ constexpr int exit_bad_request = 2;
 
 struct Options {
   Request request;
-  std::string bands = std::to_string(std::min(5, zonal::glsl::max_bands));
+  std::string bands = std::to_string(std::min(5, zonal::shader::max_bands));
   std::string dialect = "glsl450";
   std::string output;
   bool list = false, count = false, temporaries = false;
@@ -27,17 +27,17 @@ struct Options {
 
 std::string dialect_names() {
   std::string names;
-  for (const auto& dialect : zonal::glsl::dialects) names += (names.empty() ? "" : ", ") + std::string(dialect.name);
+  for (const auto& dialect : zonal::shader::dialects) names += (names.empty() ? "" : ", ") + std::string(dialect.name);
   return names;
 }
 
 void add_options(CLI::App& app, Options& options) {
-  app.set_version_flag("--version", "zonal-glsl " + zonal::glsl::version_text());
+  app.set_version_flag("--version", "zonal-glsl " + zonal::shader::version_text());
   app.add_option("--functions", options.request.functions,
                  "What to write, by name; with a number of bands of its own: evaluate@3; of evaluate and its like also "
                  "a part: evaluate:even, evaluate:degree2@4")
       ->delimiter(',');
-  app.add_option("--bands", options.bands, "Bands, 1 to " + std::to_string(zonal::glsl::max_bands))
+  app.add_option("--bands", options.bands, "Bands, 1 to " + std::to_string(zonal::shader::max_bands))
       ->capture_default_str();
   app.add_option("--dialect", options.dialect, "One of " + dialect_names())->capture_default_str();
   app.add_option("-o,--output", options.output, "The file to write; standard output if none, or -");
@@ -51,7 +51,7 @@ void add_options(CLI::App& app, Options& options) {
 }
 
 void run(Options& options) {
-  const zonal::glsl::Dialect* dialect = zonal::glsl::find_dialect(options.dialect);
+  const zonal::shader::Dialect* dialect = zonal::shader::find_dialect(options.dialect);
   if (dialect == nullptr) throw RequestError("--dialect: '" + options.dialect + "' is not one of " + dialect_names());
   options.request.bands = parse_bands("--bands", options.bands);
   if (options.list) {

@@ -6,19 +6,19 @@
 #include <string_view>
 #include <utility>
 
-#include <zonal/glsl/file_text.hpp>
-#include <zonal/glsl/shells.hpp>
+#include <zonal/shader/file_text.hpp>
+#include <zonal/shader/shells.hpp>
 
 #include "shader_functions.hpp"
 
 namespace zonal_glsl {
 namespace {
 
-using zonal::glsl::Dialect;
-using zonal::glsl::FunctionEntry;
-using zonal::glsl::NamedText;
-using zonal::glsl::RecordedFunction;
-using zonal::glsl::Shell;
+using zonal::shader::Dialect;
+using zonal::shader::FunctionEntry;
+using zonal::shader::NamedText;
+using zonal::shader::RecordedFunction;
+using zonal::shader::Shell;
 
 [[noreturn]] void refuse(const std::string& name, const char* what) { throw RequestError("'" + name + "' " + what); }
 
@@ -80,7 +80,7 @@ class Selector {
     const std::string base = name.substr(0, colon);
     if (const FunctionEntry* function = find_function(base)) {
       if (at != std::string::npos && !function->has_bands) refuse(item, "has no bands to choose");
-      RecordedFunction recorded = function->record(bands, zonal::glsl::all_orders);
+      RecordedFunction recorded = function->record(bands, zonal::shader::all_orders);
       if (colon != std::string::npos) {
         const std::string selection = name.substr(colon + 1);
         const Coefficients coefficients = parse_coefficients(name, selection, bands);
@@ -91,7 +91,7 @@ class Selector {
         recorded.remark = remark(selection, coefficients);
       }
       add(std::move(recorded));
-    } else if (const Shell* shell = zonal::glsl::find_shell(name)) {
+    } else if (const Shell* shell = zonal::shader::find_shell(name)) {
       if (!dialect_.has_loops) refuse(name, "is a loop, which is there in GLSL only");
       if (request_.text.flat) refuse(name, "is a loop, which takes arrays: not with --flat");
       add(*shell, bands);
@@ -129,26 +129,26 @@ std::string join(const std::vector<std::string>& names) {
 
 /// The options that a file was made with.
 std::string made_by(const Request& request) {
-  const zonal::glsl::TextOptions& text = request.text;
+  const zonal::shader::TextOptions& text = request.text;
   return "--bands " + std::to_string(request.bands) + " --functions " + join(request.functions) +
          (text.compound ? "" : " --temporaries") + (text.precise ? " --precise" : "") + (text.flat ? " --flat" : "") +
-         (text.prefix == zonal::glsl::TextOptions().prefix ? "" : " --prefix " + text.prefix);
+         (text.prefix == zonal::shader::TextOptions().prefix ? "" : " --prefix " + text.prefix);
 }
 
 }  // namespace
 
 int parse_bands(const std::string& option, const std::string& text) {
-  for (int bands = 1; bands <= zonal::glsl::max_bands; ++bands) {
+  for (int bands = 1; bands <= zonal::shader::max_bands; ++bands) {
     if (text == std::to_string(bands)) return bands;
   }
-  throw RequestError(option + ": '" + text + "' is not in 1..." + std::to_string(zonal::glsl::max_bands));
+  throw RequestError(option + ": '" + text + "' is not in 1..." + std::to_string(zonal::shader::max_bands));
 }
 
 Selection select(const Request& request, const Dialect& dialect) { return Selector(request, dialect).result; }
 
 std::string shader_file(const Request& request, const Dialect& dialect) {
   const Selection selection = select(request, dialect);
-  return zonal::glsl::file_text(selection.functions, selection.shells, dialect, made_by(request), request.text);
+  return zonal::shader::file_text(selection.functions, selection.shells, dialect, made_by(request), request.text);
 }
 
 std::string function_list(const Request& request, const Dialect& dialect) {
@@ -159,12 +159,12 @@ std::string function_list(const Request& request, const Dialect& dialect) {
     text += line + std::string(summary) + "\n    " + signature + "\n";
   };
   for (const FunctionEntry& entry : shader_functions()) {
-    const RecordedFunction function = entry.record(request.bands, zonal::glsl::all_orders);
+    const RecordedFunction function = entry.record(request.bands, zonal::shader::all_orders);
     add(entry.name, entry.summary, signature_text(function, dialect, request.text));
   }
   if (!dialect.has_loops) return text;
   text += "\nLoops, in GLSL only:\n";
-  for (const Shell& shell : zonal::glsl::shells) {
+  for (const Shell& shell : zonal::shader::shells) {
     add(shell.name, shell.summary, signature_text(shell, request.bands, dialect, request.text));
   }
   return text;

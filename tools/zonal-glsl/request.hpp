@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include <zonal/glsl/dialect.hpp>
-#include <zonal/glsl/file_text.hpp>
+#include <zonal/shader/dialect.hpp>
+#include <zonal/shader/file_text.hpp>
 
 namespace zonal_glsl {
 
@@ -19,28 +19,28 @@ struct RequestError : std::runtime_error {
 struct Request {
   std::vector<std::string> functions;
   int bands = 5;
-  zonal::glsl::TextOptions text;
+  zonal::shader::TextOptions text;
 };
 
 /// What was asked for, and the functions that its shells need; each once, in the order of first need.
 struct Selection {
-  std::vector<zonal::glsl::RecordedFunction> functions;
-  std::vector<zonal::glsl::NamedText> shells;
+  std::vector<zonal::shader::RecordedFunction> functions;
+  std::vector<zonal::shader::NamedText> shells;
 };
 
 /// The number of bands that the text names; RequestError, which names `option`, if it is none.
 int parse_bands(const std::string& option, const std::string& text);
 
 /// Throws RequestError for a name or a selection that is none.
-Selection select(const Request& request, const zonal::glsl::Dialect& dialect);
+Selection select(const Request& request, const zonal::shader::Dialect& dialect);
 
 /// The file that holds the selection.
-std::string shader_file(const Request& request, const zonal::glsl::Dialect& dialect);
+std::string shader_file(const Request& request, const zonal::shader::Dialect& dialect);
 
 /// Names, what they give and their signatures, for --list.
-std::string function_list(const Request& request, const zonal::glsl::Dialect& dialect);
+std::string function_list(const Request& request, const zonal::shader::Dialect& dialect);
 
 /// A table of operations, for --count.
-std::string operation_table(const Request& request, const zonal::glsl::Dialect& dialect);
+std::string operation_table(const Request& request, const zonal::shader::Dialect& dialect);
 
 }  // namespace zonal_glsl

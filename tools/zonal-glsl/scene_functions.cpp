@@ -2,10 +2,10 @@
 
 namespace zonal_glsl {
 
-void append_scene_functions(std::vector<zonal::glsl::FunctionEntry>& entries);
+void append_scene_functions(std::vector<zonal::shader::FunctionEntry>& entries);
 
-void append_scene_functions(std::vector<zonal::glsl::FunctionEntry>& entries) {
-  zonal::glsl::append_functions<zonal::glsl::SceneFunctions>(entries);
+void append_scene_functions(std::vector<zonal::shader::FunctionEntry>& entries) {
+  zonal::shader::append_functions<zonal::kernels::SceneKernels>(entries);
 }
 
 }  // namespace zonal_glsl

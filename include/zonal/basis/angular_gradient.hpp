@@ -57,7 +57,8 @@ ZONAL_INLINE constexpr void legendre_column_with_slope(const T& cosine, const T&
 template <int N, class Direction>
 AngularGradient<N, component_t<Direction>> angular_gradient_sloan_like(const Direction& direction) {
   using T = component_t<Direction>;
-  const T x = direction[0], y = direction[1], z = direction[2];
+  const auto v = zonal::detail::as_direction<T>(direction);
+  const T x = v.x, y = v.y, z = v.z;
   const T sine = sqrt(x * x + y * y), cotangent = z / sine;
   AngularGradient<N, T> result;
   T c = T(1), s = T(0);  // Re and Im of (x + iy)^m
@@ -88,7 +89,8 @@ AngularGradient<N, component_t<Direction>> angular_gradient_sloan_like(const Dir
 template <int N, class Direction>
 AngularGradient<N, component_t<Direction>> angular_gradient_direct(const Direction& direction) {
   using T = component_t<Direction>;
-  const T x = direction[0], y = direction[1], z = direction[2];
+  const auto v = zonal::detail::as_direction<T>(direction);
+  const T x = v.x, y = v.y, z = v.z;
   const T sine = sqrt(x * x + y * y), cos_phi = x / sine, sin_phi = y / sine;
 
   // Normalised P_l^m = Q_l^m sin^m, all of them first: the derivative needs the orders m-1 and m+1.
@@ -132,7 +134,8 @@ AngularGradient<N, component_t<Direction>> angular_gradient_direct(const Directi
 /// From derivatives by angles to derivatives by x, y, z at the same unit vector [1, Eq. 23].
 template <int N, class T, class Direction>
 ShGradient<N, T> to_cartesian(const AngularGradient<N, T>& angular, const Direction& direction) {
-  const T x = direction[0], y = direction[1], z = direction[2];
+  const auto v = zonal::detail::as_direction<T>(direction);
+  const T x = v.x, y = v.y, z = v.z;
   const T sine2 = x * x + y * y, sine = sqrt(sine2), z_by_sine = z / sine, inverse = T(1) / sine2;
   const T x_theta = x * z_by_sine, y_theta = y * z_by_sine, x_phi = -(y * inverse), y_phi = x * inverse;
   ShGradient<N, T> result;

@@ -12,6 +12,7 @@
 
 #include "../scalar/scalar.hpp"
 #include "../scalar/unroll.hpp"
+#include "../scalar/vector3.hpp"
 #include "sh.hpp"
 #include "table.hpp"
 
@@ -133,13 +134,14 @@ ZONAL_INLINE constexpr void evaluate_into(Sh<N, T>& sh, const T& x, const T& y, 
 }
 }  // namespace detail
 
-/// N*N values in the order l(l+1)+m at a unit vector: anything with v[0], v[1], v[2].
+/// N*N values in the order l(l+1)+m at a unit vector: anything with v[0], v[1], v[2], or v.x, v.y, v.z.
 template <int N, class Direction>
 ZONAL_DEVICE constexpr Sh<N, component_t<Direction>> evaluate(const Direction& direction) {
   using T = component_t<Direction>;
   static_assert(N >= 1, "bands out of range: N >= 1");
   Sh<N, T> sh;
-  detail::evaluate_into(sh, T(direction[0]), T(direction[1]), T(direction[2]));
+  const auto v = detail::as_direction<T>(direction);
+  detail::evaluate_into(sh, v.x, v.y, v.z);
   return sh;
 }
 

@@ -60,11 +60,11 @@ ZONAL_INLINE constexpr auto into(ShGradient<N, T>& arrays) {
 }
 }  // namespace detail
 
-/// The same as arrays, at anything with v[0], v[1], v[2].
+/// The same as arrays, at anything with v[0], v[1], v[2], or v.x, v.y, v.z.
 template <int N, class Direction>
 ZONAL_DEVICE ShGradient<N, component_t<Direction>> evaluate_with_gradient(const Direction& direction) {
   using T = component_t<Direction>;
-  const T x = direction[0], y = direction[1], z = direction[2];
+  const auto [x, y, z] = detail::as_direction<T>(direction);
   ShGradient<N, T> result;
   if constexpr (is_builtin_scalar_v<T> && N >= detail::least_bands_in_rows) {
     detail::gradient_in_rows<N>(x, y, z, result.value, result.gradient);
@@ -130,10 +130,11 @@ template <int N, class Direction>
 ZONAL_DEVICE ShHessian<N, component_t<Direction>> evaluate_with_hessian(const Direction& direction) {
   using T = component_t<Direction>;
   static_assert(N >= 1, "bands out of range: N >= 1");
+  const auto v = detail::as_direction<T>(direction);
   if constexpr (N >= detail::least_hessian_in_rows) {
-    return detail::hessian_in_rows<N, T>(direction[0], direction[1], direction[2]);
+    return detail::hessian_in_rows<N, T>(v.x, v.y, v.z);
   } else {
-    return detail::hessian_unrolled<N, T>(direction[0], direction[1], direction[2]);
+    return detail::hessian_unrolled<N, T>(v.x, v.y, v.z);
   }
 }
 

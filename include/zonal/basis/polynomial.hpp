@@ -6,7 +6,7 @@
 #pragma once
 
 #include "../scalar/constexpr_math.hpp"
-#include "../scalar/scalar.hpp"
+#include "../scalar/vector3.hpp"
 #include "sh.hpp"
 
 namespace zonal {
@@ -19,13 +19,13 @@ inline constexpr long double root_over_pi =
     constexpr_sqrt(static_cast<long double>(p) / (static_cast<long double>(q) * kPi));
 }  // namespace detail
 
-/// evaluate<N>, 1 <= N <= 10, from the explicit polynomials at a unit vector: anything with v[0], v[1], v[2].
+/// evaluate<N>, 1 <= N <= 10, from the explicit polynomials at a unit vector.
 template <int N, class Direction>
 constexpr Sh<N, component_t<Direction>> evaluate_polynomial(const Direction& direction) {
   static_assert(1 <= N && N <= 10, "bands out of range: the polynomials are written out for 1 <= N <= 10");
   using T = component_t<Direction>;
   using detail::root_over_pi;
-  [[maybe_unused]] const T x = direction[0], y = direction[1], z = direction[2];
+  [[maybe_unused]] const auto [x, y, z] = zonal::detail::as_direction<T>(direction);
   Sh<N, T> sh{};
   if constexpr (N > 0) {
     sh(0, 0) = T(root_over_pi<1, 4>);

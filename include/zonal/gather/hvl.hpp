@@ -9,6 +9,10 @@
 // materials are then even in phi, and N(N+1)/2 coefficients do what N^2 would. What a light sends out is even in z as
 // well (projection.hpp): of its coefficients only those of even l+m are there.
 //
+// Anisotropic materials have no such symmetry. Their coefficients, anisotropic_table.hpp, are those of the same frames,
+// but of m < 0 as well: N^2 at a receiver, NE (NE+1)/2 at a light. The kernel below is one, and takes what it is given:
+// EvenSh or Sh, EvenEmission or AnyEmission.
+//
 // What a light sends out is read from the material's table at the direction to the primary light, as what a receiver
 // reflects is at the direction to the eye: that takes f(a, b) = f(b, a). Of measured materials that are not reciprocal
 // (rgl.hpp) the receiver's part is right, and the light's that of the exchanged directions; VPL, VSL and paths ask for
@@ -37,10 +41,57 @@ inline namespace ZONAL_TARGET {
 /// whichever is even, is how many there are in NE bands.
 constexpr int emission_index(int l, int m) { return (l + 1) * (l + 1) / 4 + m / 2; }
 
+/// What a light sends, even in z and in phi: m >= 0 only,
+struct EvenEmission {
+  static constexpr bool even_in_phi = true;
+  static constexpr int index(int l, int m) { return emission_index(l, m); }
+  static constexpr int size(int bands) { return emission_index(bands, bands % 2); }
+};
+
+/// and even in z alone, both signs of m.
+struct AnyEmission {
+  static constexpr bool even_in_phi = false;
+  static constexpr int index(int l, int m) { return l * (l + 1) / 2 + (l + m) / 2; }
+  static constexpr int size(int bands) { return bands * (bands + 1) / 2; }
+};
+
+namespace detail {
+
+/// The basis at (x, y, z): of m >= 0 alone, from x and z, or all; y is called for.
+template <int N, bool even_in_phi, class T, class Y, class Sink>
+ZONAL_INLINE inline void evaluate_half_or_all(const T& x, const Y& y, const T& z, const Sink& sink) {
+  if constexpr (even_in_phi) {
+    evaluate_even<N>(x, z, sink);
+  } else {
+    evaluate<N>(x, y(), z, sink);
+  }
+}
+
+/// The y of a direction in the frame of a normal and a tangent.
+template <class T>
+ZONAL_INLINE inline T across(const T (&direction)[3], const T (&normal)[3], const T (&tangent)[3]) {
+  T bitangent[3];
+  cross3(normal, tangent, bitangent);
+  return dot3(direction, bitangent);
+}
+
+/// The coefficients of a function that is even in phi, with its zeros.
+template <int N, class T>
+constexpr Sh<N, T> all_orders(const EvenSh<N, T>& even) {
+  Sh<N, T> sh{};
+  for (int l = 0; l < N; ++l) {
+    for (int m = 0; m <= l; ++m) sh(l, m) = even(l, m);
+  }
+  return sh;
+}
+
+}  // namespace detail
+
 /// What a sphere light needs to be seen: a light of the cache as the kernel reads it, one lane or a packet of them.
-template <int NE, class T>
+template <int NE, class T, class Emission = EvenEmission>
 struct HvlRecord {
-  static constexpr int emission_size = emission_index(NE, NE % 2);
+  using EmissionKind = Emission;
+  static constexpr int emission_size = Emission::size(NE);
   T position[3], normal[3];
   T tangent[3];  // the direction to the primary light, projected on the tangent plane
   T radius;
@@ -55,26 +106,50 @@ struct HvlRecord {
   }
 };
 
+/// The same light with the coefficients of m < 0, which are zero.
+template <int NE, class T>
+ZONAL_INLINE inline HvlRecord<NE, T, AnyEmission> without_symmetry(const HvlRecord<NE, T, EvenEmission>& light) {
+  HvlRecord<NE, T, AnyEmission> result;
+  for (int i = 0; i < 3; ++i) {
+    result.position[i] = light.position[i];
+    result.normal[i] = light.normal[i];
+    result.tangent[i] = light.tangent[i];
+    for (int l = 0; l < NE; ++l) {
+      for (int m = -l; m <= l; m += 2) {
+        result.emission[i][AnyEmission::index(l, m)] = m < 0 ? T(0) : light.emission[i][EvenEmission::index(l, m)];
+      }
+    }
+  }
+  result.radius = light.radius;
+  return result;
+}
+
 /// The outgoing radiance that one light (or one packet of lights) causes, to radiance[3], RGB. `material` is F at the
-/// outgoing direction, RGB by degree and order. A receiver inside the sphere sees a hemisphere; one at its very
-/// centre sees nothing, for there is no direction to it.
-template <int N, int NE, Horizon method, class T, class Lane>
-ZONAL_INLINE inline void hvl_radiance(const HvlRecord<NE, T>& light, const ReceiverFrame<T>& receiver,
-                                      const EvenSh<N, glm::vec<3, Lane>>& material, T (&radiance)[3]) {
+/// outgoing direction, RGB by degree and order: EvenSh, or Sh of an anisotropic material. A receiver inside the sphere
+/// sees a hemisphere; one at its very centre sees nothing, for there is no direction to it.
+template <int N, int NE, Horizon method, class T, class Emission, class Material>
+ZONAL_INLINE inline void hvl_radiance(const HvlRecord<NE, T, Emission>& light, const ReceiverFrame<T>& receiver,
+                                      const Material& material, T (&radiance)[3]) {
+  static_assert(Material::bands == N, "the material's coefficients are those of N bands");
+  constexpr bool even_receiver = Material::size() == even_index(N, 0);
   // Where the light stands, and how large it looks.
-  const auto [direction, distance] = look_at(light, receiver);
+  const LightDirection<T> to_light = look_at(light, receiver);
+  const auto& direction = to_light.direction;
   const T cos_receiver = detail::dot3(direction, receiver.normal);
   const T cos_light = maximum(T(0), -detail::dot3(direction, light.normal));
-  const auto cap = SphericalCap<T>::from_sphere(distance, light.radius);
+  const auto cap = SphericalCap<T>::from_sphere(to_light.distance, light.radius);
 
   // What it sends towards the receiver; a band-limited emission that rings below zero sends nothing.
   T sent[3] = {T(0), T(0), T(0)};
-  evaluate_even<NE>(-detail::dot3(direction, light.tangent), -detail::dot3(direction, light.normal),
-                    [&](auto l, auto m, const T& y) ZONAL_INLINE {
-                      if constexpr (is_even_in_z(l, m)) {
-                        for (int c = 0; c < 3; ++c) sent[c] = sent[c] + light.emission[c][emission_index(l, m)] * y;
-                      }
-                    });
+  detail::evaluate_half_or_all<NE, Emission::even_in_phi>(
+      -detail::dot3(direction, light.tangent),
+      [&]() ZONAL_INLINE { return -detail::across(direction, light.normal, light.tangent); },
+      -detail::dot3(direction, light.normal),
+      [&](auto l, auto m, const T& y) ZONAL_INLINE {
+        if constexpr (is_even_in_z(l, m)) {
+          for (int c = 0; c < 3; ++c) sent[c] = sent[c] + light.emission[c][Emission::index(l, m)] * y;
+        }
+      });
   const T geometry = cos_light * horizon<method>(cap, cos_receiver);
 
   // What the receiver's material makes of it: one sum per degree and channel, then the cap's coefficient.
@@ -82,11 +157,13 @@ ZONAL_INLINE inline void hvl_radiance(const HvlRecord<NE, T>& light, const Recei
   for (auto& channel : by_degree) {
     for (T& sum : channel) sum = T(0);
   }
-  evaluate_even<N>(detail::dot3(direction, receiver.tangent), cos_receiver,
-                   [&](auto l, auto m, const T& y) ZONAL_INLINE {
-                     const auto& f = material.values[even_index(l, m)];
-                     for (int c = 0; c < 3; ++c) by_degree[c][l] = by_degree[c][l] + T(f[c]) * y;
-                   });
+  detail::evaluate_half_or_all<N, even_receiver>(
+      detail::dot3(direction, receiver.tangent),
+      [&]() ZONAL_INLINE { return detail::across(direction, receiver.normal, receiver.tangent); }, cos_receiver,
+      [&](auto l, auto m, const T& y) ZONAL_INLINE {
+        const auto& f = material.values[Material::index(l, m)];
+        for (int c = 0; c < 3; ++c) by_degree[c][l] = by_degree[c][l] + T(f[c]) * y;
+      });
   T reflected[3] = {T(0), T(0), T(0)};
   detail::hemisphere_cap_sums<N>(cap, [&](auto l, const T& sum) ZONAL_INLINE {  // A_l / pi
     for (int c = 0; c < 3; ++c) reflected[c] = reflected[c] + sum * by_degree[c][l];
@@ -96,54 +173,96 @@ ZONAL_INLINE inline void hvl_radiance(const HvlRecord<NE, T>& light, const Recei
 
 /// The virtual lights in packets. Lights without power or material are left out: they contribute exactly nothing. One
 /// without area is a point light, for its radius counts as least_light_radius. NE bands of emission; 1 is exact for
-/// diffuse emitters and needs no evaluation at all.
+/// diffuse emitters and needs no evaluation at all. Lights of anisotropic materials stand in packets of their own.
 template <int NE>
 class HvlCache {
  public:
   using Lanes = Packet<float, kNativeLanes>;
   template <class T>
   using Record = HvlRecord<NE, T>;
+  template <class T>
+  using AnisotropicRecord = HvlRecord<NE, T, AnyEmission>;
 
   HvlCache() = default;
   explicit HvlCache(const std::vector<VirtualLight>& lights) {
     for (const VirtualLight& light : lights) {
-      const bool shines =
-          light.flux != glm::vec3(0) && light.material != nullptr && glm::dot(light.normal, light.to_primary) > 0;
-      if (shines) append(light);
+      const bool shines = light.flux != glm::vec3(0) && glm::dot(light.normal, light.to_primary) > 0;
+      if (shines && light.anisotropic != nullptr) {
+        append_anisotropic(light);
+      } else if (shines && light.material != nullptr) {
+        append(light);
+      }
     }
   }
 
   /// The lights that shine.
-  int size() const { return records_.size(); }
+  int size() const { return records_.size() + anisotropic_.size(); }
+  /// Those of isotropic materials in packets, and those of anisotropic ones.
   int packet_count() const { return records_.packet_count(); }
   ZONAL_INLINE Record<Lanes> packet(int index) const { return records_.packet(index); }
+  const PacketArray<AnisotropicRecord>& anisotropic() const { return anisotropic_; }
+
+  /// Those of isotropic materials as receivers without symmetry take them.
+  struct WithoutSymmetry {
+    using Lanes = HvlCache::Lanes;
+    const HvlCache& cache;
+    int packet_count() const { return cache.packet_count(); }
+    ZONAL_INLINE AnisotropicRecord<Lanes> packet(int index) const {
+      return zonal::without_symmetry(cache.packet(index));
+    }
+  };
+  WithoutSymmetry without_symmetry() const { return {*this}; }
 
  private:
   void append(const VirtualLight& light) {
     const glm::vec3 tangent = detail::tangent_towards(light.normal, light.to_primary);
-    const EvenSh<NE, glm::vec3> reflected =
-        light.material->template without_cosine<NE>(glm::dot(light.normal, light.to_primary));
+    const float cos_primary = glm::dot(light.normal, light.to_primary);
+    records_.append(record<EvenEmission>(light, tangent, light.material->template without_cosine<NE>(cos_primary)));
+  }
+  void append_anisotropic(const VirtualLight& light) {
+    const glm::vec3 own = detail::tangent_towards(light.normal, light.tangent);
+    const glm::vec3 primary = detail::in_frame(light.to_primary, light.normal, own);
+    const glm::vec3 tangent = detail::turned_tangent(primary, light.normal, own);
+    anisotropic_.append(record<AnyEmission>(light, tangent, light.anisotropic->template without_cosine<NE>(primary)));
+  }
+
+  template <class Emission, class Coefficients>
+  static HvlRecord<NE, float, Emission> record(const VirtualLight& light, const glm::vec3& tangent,
+                                               const Coefficients& reflected) {
     const float radius = (std::max)(light.radius, least_light_radius);
     const glm::vec3 scale = light.flux / (radius * radius);
-
-    Record<float> record;
+    HvlRecord<NE, float, Emission> record;
     for (int i = 0; i < 3; ++i) {
       record.position[i] = light.position[i];
       record.normal[i] = light.normal[i];
       record.tangent[i] = tangent[i];
     }
     for (int l = 0; l < NE; ++l) {
-      for (int m = l % 2; m <= l; m += 2) {
+      for (int m = Emission::even_in_phi ? l % 2 : -l; m <= l; m += 2) {
         const glm::vec3 sent = scale * reflected(l, m);
-        for (int c = 0; c < 3; ++c) record.emission[c][emission_index(l, m)] = sent[c];
+        for (int c = 0; c < 3; ++c) record.emission[c][Emission::index(l, m)] = sent[c];
       }
     }
     record.radius = radius;
-    records_.append(record);
+    return record;
   }
 
   PacketArray<Record> records_;
+  PacketArray<AnisotropicRecord> anisotropic_;
 };
+
+namespace detail {
+
+/// The sum over some lights of a receiver whose coefficients F, in the frame given, are known.
+template <int N, int NE, Horizon method, class Lights, class Material>
+glm::vec3 gather_from(const Lights& lights, const ReceiverFrame<typename Lights::Lanes>& frame,
+                      const Material& coefficients, const Visibility& visible) {
+  return sum_packets(lights, visible, [&](const auto& light, auto& rgb) ZONAL_INLINE {
+    hvl_radiance<N, NE, method>(light, frame, coefficients, rgb);
+  });
+}
+
+}  // namespace detail
 
 /// Outgoing radiance, RGB, at the receiver from all lights of the cache: one bounce, N bands of the receiver's
 /// material, of which those beyond its table's are zero. Negative sums, which ringing can leave, are cut to zero.
@@ -153,9 +272,26 @@ glm::vec3 gather(const HvlCache<NE>& cache, const Receiver& receiver, const Mate
   using Lanes = typename HvlCache<NE>::Lanes;
   const auto frame = detail::frame_of<Lanes>(receiver);
   const EvenSh<N, glm::vec3> coefficients = material.with_cosine<N>(glm::dot(receiver.normal, receiver.outgoing));
-  const auto radiance = [&](const HvlRecord<NE, Lanes>& light, Lanes(&rgb)[3])
-                            ZONAL_INLINE { hvl_radiance<N, NE, method>(light, frame, coefficients, rgb); };
-  return (glm::max)(detail::sum_packets(cache, visible, radiance), glm::vec3(0));
+  glm::vec3 sum = detail::gather_from<N, NE, method>(cache, frame, coefficients, visible);
+  if (cache.anisotropic().size() > 0) {
+    // Where there is one kind without symmetry, the other is taken without it too: two kernels and not four.
+    sum += detail::gather_from<N, NE, method>(cache.anisotropic(), frame, detail::all_orders(coefficients), visible);
+  }
+  return (glm::max)(sum, glm::vec3(0));
+}
+
+/// The same of an anisotropic material, in the frame of the receiver's tangent.
+template <int N, int NE, Horizon method = Horizon::smoothstep>
+glm::vec3 gather(const HvlCache<NE>& cache, const Receiver& receiver, const AnisotropicTable& material,
+                 const Visibility& visible = {}) {
+  using Lanes = typename HvlCache<NE>::Lanes;
+  const glm::vec3 own = detail::tangent_towards(receiver.normal, receiver.tangent);
+  const glm::vec3 outgoing = detail::in_frame(receiver.outgoing, receiver.normal, own);
+  const auto frame = detail::frame_of<Lanes>(receiver, detail::turned_tangent(outgoing, receiver.normal, own));
+  const Sh<N, glm::vec3> coefficients = material.with_cosine<N>(outgoing);
+  const glm::vec3 sum = detail::gather_from<N, NE, method>(cache.anisotropic(), frame, coefficients, visible) +
+                        detail::gather_from<N, NE, method>(cache.without_symmetry(), frame, coefficients, visible);
+  return (glm::max)(sum, glm::vec3(0));
 }
 
 }  // namespace ZONAL_TARGET

@@ -23,8 +23,8 @@ inline namespace ZONAL_TARGET {
 template <class T>
 struct LightRecord {
   T position[3], normal[3];
-  T tangent[3];                // the direction to the primary light, projected on the tangent plane
-  T sin_primary, cos_primary;  // of the angle between the normal and the primary light
+  T tangent[3];  // the direction to the primary light, projected on the tangent plane; or an anisotropic surface's own
+  T primary[3];  // the direction to the primary light, in that frame
   T radius;
   T flux[3];     // W, RGB
   T diffuse[3];  // W/sr, RGB: flux times the BRDF of the diffuse lobes
@@ -32,12 +32,11 @@ struct LightRecord {
   T shift;       // a number of its own in [0, 1): so that samples of different lights differ
 
   /// field(i) for i < field_count: the order in which packets are stored.
-  static constexpr int field_count = 21;
+  static constexpr int field_count = 22;
   ZONAL_INLINE T& field(int i) {
     if (i < 9) return (i < 3 ? position : i < 6 ? normal : tangent)[i % 3];
-    if (i < 12) return i == 9 ? sin_primary : i == 10 ? cos_primary : radius;
-    if (i < 18) return (i < 15 ? flux : diffuse)[i % 3];
-    return i < 20 ? turn[i - 18] : shift;
+    if (i < 18) return (i < 12 ? primary : i < 15 ? flux : diffuse)[i % 3];
+    return i < 20 ? turn[i - 18] : i == 20 ? shift : radius;
   }
 };
 
@@ -85,18 +84,19 @@ class LightCache {
   }
 
   LightRecord<float> record(const VirtualLight& light) const {
-    const glm::vec3 tangent = detail::tangent_towards(light.normal, light.to_primary);
+    const glm::vec3 tangent =
+        detail::tangent_towards(light.normal, is_isotropic(*light.brdf) ? light.to_primary : light.tangent);
+    const glm::vec3 primary = detail::in_frame(light.to_primary, light.normal, tangent);
     const glm::vec3 diffuse = light.flux * diffuse_albedo(*light.brdf) / float(kPi);
     LightRecord<float> record;
     for (int i = 0; i < 3; ++i) {
       record.position[i] = light.position[i];
       record.normal[i] = light.normal[i];
       record.tangent[i] = tangent[i];
+      record.primary[i] = primary[i];
       record.flux[i] = light.flux[i];
       record.diffuse[i] = diffuse[i];
     }
-    record.sin_primary = glm::dot(tangent, light.to_primary);
-    record.cos_primary = glm::dot(light.normal, light.to_primary);
     record.radius = (std::max)(light.radius, least_light_radius);
     // Two well spread sequences; [0, 1) up to a million lights.
     const double golden = 0.6180339887498949 * size(), plastic = 0.7548776662466927 * size();
@@ -127,10 +127,16 @@ ZONAL_INLINE inline void reflected_flux(const LightRecord<T>& light, const Brdf&
                                         T (&sent)[3]) {
   for (int c = 0; c < 3; ++c) sent[c] = light.diffuse[c];
   if (glossy.lobes.empty()) return;
-  const glm::vec<3, T> from_primary(light.sin_primary, T(0), light.cos_primary);
+  const glm::vec<3, T> from_primary(light.primary[0], light.primary[1], light.primary[2]);
   const glm::vec<3, T> away = to_local(towards_light, light.normal, light.tangent) * T(-1);
   const glm::vec<3, T> f = evaluate(glossy, from_primary, away);
   for (int c = 0; c < 3; ++c) sent[c] = sent[c] + light.flux[c] * f[c];
+}
+
+/// The tangent of the frame in which to ask a receiver's BRDF: the eye has phi = 0 there, unless the material is
+/// anisotropic and has a frame of its own.
+inline glm::vec3 brdf_tangent(const Receiver& receiver, const Brdf& brdf) {
+  return tangent_towards(receiver.normal, is_isotropic(brdf) ? receiver.outgoing : receiver.tangent);
 }
 
 /// The direction to the eye in the receiver's frame, where it has phi = 0.

@@ -2,21 +2,24 @@
 #pragma once
 
 #include <cmath>
-#include <functional>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "../scalar/function_ref.hpp"
 #include "../scalar/packet.hpp"
 #include "../scalar/vector3.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
 
-/// A point that is seen: `outgoing` is the unit direction to the eye, on the normal's side.
+/// A point that is seen: `outgoing` is the unit direction to the eye, on the normal's side. The tangent, the x axis of
+/// the material's own frame, matters to anisotropic materials alone; it need not be of unit length or normal to the
+/// normal, and where it says nothing any direction of the surface is taken.
 struct Receiver {
   glm::vec3 position, normal, outgoing;
+  glm::vec3 tangent{0};
 };
 
 /// A frame about a normal in which a fixed direction has phi = 0.
@@ -42,10 +45,11 @@ ZONAL_INLINE inline LightDirection<T> look_at(const Record& light, const Receive
 }
 
 /// Is a light, at this position and with this normal, seen from the receiver? It is asked for each light that would
-/// contribute; an empty one lets all pass. A ray to the light's centre is what [1, 5.1] does.
+/// contribute; an empty one lets all pass. It refers to a callable that outlives the gather: pass a lambda. A ray to
+/// the light's centre is what [1, 5.1] does.
 ///
 /// [1] Mezieres et al., Harmonics Virtual Lights, CGF 41(6), 2022.
-using Visibility = std::function<bool(const glm::vec3& position, const glm::vec3& normal)>;
+using Visibility = FunctionRef<bool(const glm::vec3& position, const glm::vec3& normal)>;
 
 namespace detail {
 
@@ -58,10 +62,21 @@ inline glm::vec3 tangent_towards(const glm::vec3& normal, const glm::vec3& v) {
   return glm::normalize(glm::cross(normal, other));
 }
 
-/// The receiver's frame, the same in all lanes.
+/// A direction in the frame of a normal and a tangent, x along the tangent.
+inline glm::vec3 in_frame(const glm::vec3& v, const glm::vec3& normal, const glm::vec3& tangent) {
+  return {glm::dot(v, tangent), glm::dot(v, glm::cross(normal, tangent)), glm::dot(v, normal)};
+}
+
+/// The frame in which the direction `fixed`, given in that of a normal and a tangent, has phi = 0: its tangent. As
+/// anisotropic_table.hpp has it, also where `fixed` is the normal.
+inline glm::vec3 turned_tangent(const glm::vec3& fixed, const glm::vec3& normal, const glm::vec3& tangent) {
+  const float azimuth = std::atan2(fixed.y, fixed.x);
+  return std::cos(azimuth) * tangent + std::sin(azimuth) * glm::cross(normal, tangent);
+}
+
+/// The receiver's frame of that tangent, the same in all lanes.
 template <class T>
-ReceiverFrame<T> frame_of(const Receiver& receiver) {
-  const glm::vec3 tangent = tangent_towards(receiver.normal, receiver.outgoing);
+ReceiverFrame<T> frame_of(const Receiver& receiver, const glm::vec3& tangent) {
   ReceiverFrame<T> frame;
   for (int i = 0; i < 3; ++i) {
     frame.position[i] = T(receiver.position[i]);
@@ -69,6 +84,12 @@ ReceiverFrame<T> frame_of(const Receiver& receiver) {
     frame.tangent[i] = T(tangent[i]);
   }
   return frame;
+}
+
+/// The frame in which the eye has phi = 0.
+template <class T>
+ReceiverFrame<T> frame_of(const Receiver& receiver) {
+  return frame_of<T>(receiver, tangent_towards(receiver.normal, receiver.outgoing));
 }
 
 /// What one packet of lights contributes, less what the receiver does not see of it, added up.

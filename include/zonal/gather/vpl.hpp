@@ -36,8 +36,9 @@ ZONAL_INLINE inline void vpl_radiance(const LightRecord<T>& light, const Brdf& g
 inline glm::vec3 gather_vpl(const LightCache& cache, const Receiver& receiver, const Brdf& brdf, float clamp = 0.0F,
                             const Visibility& visible = {}) {
   using Lanes = PacketArray<LightRecord>::Lanes;
-  const auto frame = detail::frame_of<Lanes>(receiver);
-  const glm::vec<3, Lanes> outgoing(detail::local_outgoing(receiver));
+  const glm::vec3 tangent = detail::brdf_tangent(receiver, brdf);
+  const auto frame = detail::frame_of<Lanes>(receiver, tangent);
+  const glm::vec<3, Lanes> outgoing(detail::in_frame(receiver.outgoing, receiver.normal, tangent));
   return detail::sum_groups(cache, visible, [&](const LightCache::Group& group, const auto& light, auto& rgb) {
     vpl_radiance(light, group.glossy, frame, outgoing, brdf, Lanes(clamp), rgb);
   });

@@ -50,8 +50,8 @@ void draw_vsl_samples(const Receiver& receiver, const Brdf& brdf, int samples, U
   result.brdf_count = is_diffuse ? 0 : samples / 2;
   result.cap_count = samples - result.brdf_count;
 
-  const glm::vec3 normal = receiver.normal, tangent = tangent_towards(normal, receiver.outgoing);
-  const glm::vec3 bitangent = glm::cross(normal, tangent), outgoing = local_outgoing(receiver);
+  const glm::vec3 normal = receiver.normal, tangent = brdf_tangent(receiver, brdf);
+  const glm::vec3 bitangent = glm::cross(normal, tangent), outgoing = in_frame(receiver.outgoing, normal, tangent);
   const float lobe_shift = uniform(), phi_shift = uniform();
   int drawn = 0;
   for (int k = 0; k < result.brdf_count; ++k) {
@@ -181,8 +181,9 @@ glm::vec3 gather_vsl(const LightCache& cache, const Receiver& receiver, const Br
   using Lanes = PacketArray<LightRecord>::Lanes;
   detail::VslSamples drawn;
   detail::draw_vsl_samples(receiver, brdf, std::clamp(samples, 1, kMaxVslSamples), uniform, drawn);
-  const auto frame = detail::frame_of<Lanes>(receiver);
-  const glm::vec3 outgoing = detail::local_outgoing(receiver);
+  const glm::vec3 tangent = detail::brdf_tangent(receiver, brdf);
+  const auto frame = detail::frame_of<Lanes>(receiver, tangent);
+  const glm::vec3 outgoing = detail::in_frame(receiver.outgoing, receiver.normal, tangent);
   return detail::sum_groups(cache, visible, [&](const LightCache::Group& group, const auto& light, auto& rgb) {
     vsl_radiance(light, group.glossy, frame, outgoing, brdf, drawn, rgb);
   });

@@ -390,7 +390,8 @@ ZONAL_INLINE constexpr T step_down(const Sh<M, T> (&moment)[3]) {
 /// The coefficients that the sums make. The gradient is their `slope`.
 template <int N, class T>
 ZONAL_INLINE constexpr void finish(const PolygonSums<N, T>& sums, Sh<N, T>& value) {
-  value.values[0] = T(1 / (2 * constexpr_sqrt(kPi))) * sums.solid_angle;
+  constexpr auto constant = rounded<T>(1 / (2 * constexpr_sqrt(kPi)));
+  value.values[0] = T(constant) * sums.solid_angle;
   unroll<1, N>([&](auto l) ZONAL_INLINE {
     unroll<-l, l + 1>([&](auto m)
                           ZONAL_INLINE { value.values[sh_index(l, m)] = detail::step_down<l, m>(sums.moment); });

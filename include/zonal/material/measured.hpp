@@ -1,4 +1,4 @@
-// Measured materials, or any other isotropic function, as a lobe among the models of brdf.hpp.
+// Measured materials, or any other function, as a lobe among the models of brdf.hpp.
 //
 //   zonal::Brdf material{{zonal::measured(zonal::load_merl("gold-metallic-paint.binary"))}};
 #pragma once
@@ -12,11 +12,88 @@
 #include <utility>
 #include <vector>
 
+#include "../scalar/function_ref.hpp"
 #include "even_part.hpp"
-#include "sampling.hpp"
+#include "ggx.hpp"
+#include "lambert.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
+
+/// A BRDF in 1/sr, as any function of (wi, wo) that is zero at and below the horizon.
+using BrdfFunction = SharedFunction<glm::dvec3(const glm::dvec3&, const glm::dvec3&)>;
+
+/// A quadrature over the hemisphere that suits a BRDF seen from wo: nodes(wo, level, visit) calls visit(wi, f(wi, wo)
+/// times the node's solid angle), level 0 to brdf_node_levels - 1 from coarse to fine. An isotropic BRDF's are for
+/// integrals with functions of wi that are even about the plane of wo.
+using BrdfNodes = SharedFunction<void(const glm::dvec3& wo, int level,
+                                      const FunctionRef<void(const glm::dvec3& wi, const glm::dvec3& weighted)>&)>;
+inline constexpr int brdf_node_levels = 4;
+
+/// A measured material; measured(f), below, makes it. The function is the material; beside it stand a diffuse and a GGX
+/// lobe of about its size, to choose directions by, and for virtual lights that are Gaussians; and its own quadrature,
+/// for projections, where it has one. It need not be reciprocal: f(wi, wo), where wo is the direction the light leaves
+/// in, may differ from f(wo, wi).
+struct MeasuredBrdf {
+  std::shared_ptr<const BrdfFunction> function;
+  glm::vec3 diffuse_albedo, specular_albedo;
+  float roughness;
+  std::shared_ptr<const BrdfNodes> nodes{};
+  bool isotropic = true;  // else it is to be asked in the surface's own frame: directions with x along its tangent
+};
+
+namespace detail {
+
+/// The diffuse and the GGX lobe that stand beside a measured material, in proportion to their albedos.
+struct MeasuredProposal {
+  float diffuse_share;
+  GgxBrdf specular;
+
+  explicit MeasuredProposal(const MeasuredBrdf& brdf)
+      : diffuse_share(mean(brdf.diffuse_albedo) / (mean(brdf.diffuse_albedo) + mean(brdf.specular_albedo))),
+        specular{brdf.roughness, SchlickFresnel{glm::vec3(1.0F)}} {}
+};
+
+}  // namespace detail
+
+template <class T>
+glm::vec<3, T> evaluate(const MeasuredBrdf& brdf, const glm::vec<3, T>& wi, const glm::vec<3, T>& wo) {
+  if constexpr (is_builtin_scalar_v<T>) {
+    return glm::vec<3, T>((*brdf.function)(glm::dvec3(wi), glm::dvec3(wo)));
+  } else {
+    return detail::by_lanes(wi, wo, [&](const auto& i, const auto& o) { return evaluate(brdf, i, o); });
+  }
+}
+
+inline float approximate_albedo(const MeasuredBrdf& brdf, const glm::vec3&) {
+  return detail::mean(brdf.diffuse_albedo) + detail::mean(brdf.specular_albedo);
+}
+
+inline glm::vec3 sample_lobe(const MeasuredBrdf& brdf, const glm::vec3& wo, const glm::vec2& u) {
+  const detail::MeasuredProposal proposal(brdf);
+  const float share = proposal.diffuse_share;
+  if (u.x < share) return sample_lobe(LambertBrdf{}, wo, {u.x / share, u.y});
+  return sample_lobe(proposal.specular, wo, {(std::min)((u.x - share) / (1.0F - share), 0x1.fffffep-1F), u.y});
+}
+
+template <class T>
+ZONAL_INLINE inline T lobe_pdf(const MeasuredBrdf& brdf, const glm::vec<3, T>& wi, const glm::vec3& wo) {
+  const detail::MeasuredProposal proposal(brdf);
+  const T share = T(proposal.diffuse_share);
+  return share * lobe_pdf(LambertBrdf{}, wi, wo) + (T(1) - share) * lobe_pdf(proposal.specular, wi, wo);
+}
+
+inline bool is_isotropic(const MeasuredBrdf& brdf) { return brdf.isotropic; }
+inline glm::vec3 diffuse_albedo(const MeasuredBrdf& brdf, float) { return brdf.diffuse_albedo; }
+inline glm::vec3 glossy_albedo(const MeasuredBrdf& brdf, float) { return brdf.specular_albedo; }
+inline GlossyLobe glossy_lobe(const MeasuredBrdf& brdf, float cos_outgoing) {
+  return detail::mirror_lobe(brdf.roughness, cos_outgoing);
+}
+
+template <class T>
+ZONAL_INLINE inline glm::vec<3, T> glossy_height(const MeasuredBrdf& brdf, const glm::vec<3, T>&, const glm::vec3& wo) {
+  return glm::vec<3, T>(brdf.specular_albedo * (0.5F * glossy_lobe(brdf, wo.z).sharpness() / float(kPi)));
+}
 
 namespace detail {
 
@@ -28,13 +105,14 @@ struct MeasuredNode {
 };
 
 /// The midpoint rule over half vectors, whose angle to the normal is (pi/2) s^2: nodes crowd at the mirror direction.
-inline std::vector<MeasuredNode> measured_nodes(const BrdfFunction& brdf) {
+inline std::vector<MeasuredNode> measured_nodes(const BrdfFunction& brdf, double azimuth) {
   constexpr int rings = 48, spokes = 24;
   constexpr double right_angle = 0.5 * double(kPi);
   std::vector<MeasuredNode> nodes;
   for (const double degrees : {10.0, 40.0, 70.0}) {
     const double theta_o = degrees / 90.0 * right_angle;
-    const glm::dvec3 wo(std::sin(theta_o), 0.0, std::cos(theta_o));
+    const glm::dvec3 wo(std::sin(theta_o) * std::cos(azimuth), std::sin(theta_o) * std::sin(azimuth),
+                        std::cos(theta_o));
     for (int ring = 0; ring < rings; ++ring) {
       const double s = (ring + 0.5) / rings, theta = right_angle * s * s, ring_width = 2.0 * right_angle * s / rings;
       for (int spoke = 0; spoke < spokes; ++spoke) {
@@ -72,24 +150,43 @@ inline constexpr bool
     has_nodes<F, std::void_t<decltype(std::declval<const F&>().for_each_node(
                      glm::dvec3(), 0, std::declval<void (*)(const glm::dvec3&, const glm::dvec3&)>()))>> = true;
 
+/// Does F say whether it is isotropic?
+template <class F, class = void>
+inline constexpr bool has_isotropic = false;
+template <class F>
+inline constexpr bool has_isotropic<F, std::void_t<decltype(bool(std::declval<const F&>().isotropic()))>> = true;
+
 }  // namespace detail
 
-/// Wraps an isotropic BRDF, a callable (glm::dvec3 wi, glm::dvec3 wo) -> glm::dvec3 in 1/sr, as a lobe: its part that
-/// is even in phi, so that all that is made of it, projections and paths, sees one material. The lobes beside it are
-/// those that sample it with the least variance, of 24 roughnesses from 0.02 to 1 and 9 mixtures; takes 0.1 s. Where F
-/// has a for_each_node as RglBrdf has, projections integrate by it.
+/// Wraps a BRDF, a callable (glm::dvec3 wi, glm::dvec3 wo) -> glm::dvec3 in 1/sr, as a lobe. It counts as isotropic,
+/// unless F has a member isotropic() that says no; of an isotropic one the lobe is the part that is even in phi, so
+/// that all that is made of it, projections and paths, sees one material. The lobes beside it are those that sample it
+/// with the least variance, of 24 roughnesses from 0.02 to 1 and 9 mixtures; takes 0.1 s. Where F has a for_each_node
+/// as RglBrdf has, projections integrate by it.
 template <class F>
 MeasuredBrdf measured(F brdf) {
   const auto shared = std::make_shared<const F>(std::move(brdf));
-  const auto even = [shared](const glm::dvec3& wi, const glm::dvec3& wo) { return even_part(*shared)(wi, wo); };
-  MeasuredBrdf result{std::make_shared<const BrdfFunction>(even), {}, {}, 1.0F};
+  MeasuredBrdf result{nullptr, {}, {}, 1.0F};
+  if constexpr (detail::has_isotropic<F>) result.isotropic = shared->isotropic();
+  const bool isotropic = result.isotropic;
+  result.function =
+      std::make_shared<const BrdfFunction>([shared, isotropic](const glm::dvec3& wi, const glm::dvec3& wo) {
+        return isotropic ? even_part(*shared)(wi, wo) : (*shared)(wi, wo);
+      });
   if constexpr (detail::has_nodes<F>) {
     result.nodes = std::make_shared<const BrdfNodes>(
         [shared](const glm::dvec3& wo, int level, const auto& visit) { shared->for_each_node(wo, level, visit); });
   }
-  const std::vector<detail::MeasuredNode> nodes = detail::measured_nodes(*result.function);
-  glm::dvec3 albedo(0.0);  // mean over the three outgoing directions
-  for (const detail::MeasuredNode& node : nodes) albedo += node.reflected * node.solid_angle / 3.0;
+  std::vector<detail::MeasuredNode> nodes = detail::measured_nodes(*result.function, 0.0);
+  if (!isotropic) {
+    for (const double azimuth : {0.8, 1.6, 2.4, 3.2, 4.0, 4.8, 5.6}) {
+      const std::vector<detail::MeasuredNode> more = detail::measured_nodes(*result.function, azimuth);
+      nodes.insert(nodes.end(), more.begin(), more.end());
+    }
+  }
+  const double directions = isotropic ? 3.0 : 24.0;
+  glm::dvec3 albedo(0.0);  // mean over the outgoing directions
+  for (const detail::MeasuredNode& node : nodes) albedo += node.reflected * node.solid_angle / directions;
 
   float best_share = 1.0F;
   double least = std::numeric_limits<double>::infinity();

@@ -67,9 +67,17 @@ constexpr constant_t<T> rounded(long double constant) {
 template <class T>
 using mask_t = std::decay_t<decltype(std::declval<T>() < std::declval<T>())>;
 
-/// The component type of anything with v[0], v[1], v[2]: a GLM or Eigen vector, std::array, a pointer.
+namespace detail {
+template <class V, class C = decltype(std::declval<const V&>()[0])>
+std::decay_t<C> component_of(int);
+template <class V, class C = decltype(std::declval<const V&>().x)>
+std::decay_t<C> component_of(long);  // where there is no [0]
+}  // namespace detail
+
+/// The component type of a direction: of anything with v[0], v[1], v[2], such as a GLM or Eigen vector, std::array, a
+/// pointer; or with v.x, v.y, v.z.
 template <class V>
-using component_t = std::decay_t<decltype(std::declval<const V&>()[0])>;
+using component_t = decltype(detail::component_of<V>(0));
 
 template <class T>
 constexpr IfBuiltin<T, T> select(bool mask, T a, T b) {

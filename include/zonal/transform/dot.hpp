@@ -35,17 +35,11 @@ struct Accumulator {
   }
 };
 
-// What a product of coefficients is, as a value: of a colour and a number it is the colour. (Eigen's own products are
-// expressions that refer to their factors.)
-template <class A, class T, class Product = std::decay_t<decltype(std::declval<A>() * std::declval<T>())>>
-using product_t =
-    std::conditional_t<is_builtin_scalar_v<Product>, Product, std::conditional_t<is_builtin_scalar_v<A>, T, A>>;
-
 template <int Count, class A, class T>
 ZONAL_INLINE constexpr product_t<A, T> sum_of_products(const A (&a)[std::size_t{Count}],
                                                        const T (&b)[std::size_t{Count}]) {
   Accumulator<Count, product_t<A, T>> total;
-  unroll<0, Count>([&](auto i) ZONAL_INLINE { total.add(i, a[i] * b[i]); });
+  unroll<0, Count>([&](auto i) ZONAL_INLINE { total.add(i, times(a[i], b[i])); });
   return total.sum();
 }
 }  // namespace detail
@@ -70,9 +64,10 @@ template <int N, class T, class Direction>
 constexpr T reconstruct(const Sh<N, T>& sh, const Direction& direction) {
   using S = component_t<Direction>;
   detail::Accumulator<N * N, T> total;
-  evaluate<N>(S(direction[0]), S(direction[1]), S(direction[2]), [&](auto l, auto m, const S& y) ZONAL_INLINE {
+  const auto v = detail::as_direction<S>(direction);
+  evaluate<N>(v.x, v.y, v.z, [&](auto l, auto m, const S& y) ZONAL_INLINE {
     constexpr int i = sh_index(l, m);
-    total.add(Index<i>{}, sh.values[i] * y);
+    total.add(Index<i>{}, detail::times(sh.values[i], y));
   });
   return total.sum();
 }
@@ -81,7 +76,7 @@ constexpr T reconstruct(const Sh<N, T>& sh, const Direction& direction) {
 template <int N, class T, class S>
 constexpr T reconstruct_zonal(const Zh<N, T>& zh, const S& cos_angle) {
   detail::Accumulator<N, T> total;
-  evaluate_zonal<N>(cos_angle, [&](auto l, const S& y) ZONAL_INLINE { total.add(l, zh.values[l] * y); });
+  evaluate_zonal<N>(cos_angle, [&](auto l, const S& y) ZONAL_INLINE { total.add(l, detail::times(zh.values[l], y)); });
   return total.sum();
 }
 

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <type_traits>
-#include <utility>
 
 #include "../basis/sh.hpp"
 #include "../scalar/math.hpp"
@@ -32,25 +31,13 @@ constexpr double window_factor(Window window, int degree, int width) {
 }
 
 namespace detail {
-// The type a coefficient is multiplied by: itself where it is a built-in scalar, the component where it is a colour.
-template <class T, bool = std::is_floating_point_v<T>>
-struct LaneOf {
-  using Type = T;
-};
-template <class T>
-struct LaneOf<T, false> {
-  using Type = std::decay_t<decltype(std::declval<T>()[0])>;
-};
-template <class T>
-using lane_of = typename LaneOf<T>::Type;
-
 template <class C, class Degree>
 constexpr C scale_degrees(C coefficients, Window window, double width, Degree last_of_degree) {
   for (int l = 0, i = 0; l < C::bands; ++l) {
     const double factor = window_factor(window, l, width);
     for (; i <= last_of_degree(l); ++i) {
       using T = std::decay_t<decltype(coefficients[i])>;
-      coefficients[i] = coefficients[i] * static_cast<lane_of<T>>(factor);
+      coefficients[i] = times(coefficients[i], static_cast<number_t<T>>(factor));
     }
   }
   return coefficients;

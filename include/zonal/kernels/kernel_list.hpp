@@ -1,0 +1,57 @@
+// The registry: every kernel of the library once. The shader writer writes it, the tests bound it, the benchmarks time
+// it.
+//
+// An entry has a name, a line that says what it gives, and itself: run<N>(io) for any scalar (kernel_io.hpp). A new
+// kernel is one entry in the header of its room and its name in a list here.
+//
+// The name of a function in a shader is zonal_<name>_<bands>: no two functions share a name, in any language, whether
+// it overloads or not.
+#pragma once
+
+#include "basis_kernels.hpp"
+#include "gather_kernels.hpp"
+#include "grid_kernels.hpp"
+#include "light_kernels.hpp"
+#include "lobe_kernels.hpp"
+#include "scalar_kernels.hpp"
+#include "transform_kernels.hpp"
+
+namespace zonal {
+inline namespace ZONAL_TARGET {
+namespace kernels {
+
+template <class... Entries>
+struct KernelList {};
+
+using BasisKernels =
+    KernelList<Evaluate, EvaluateEven, EvaluateZonal, EvaluateWithGradient,                 // basis
+               Cap, HemisphereCap, SphereCap, CapDerivative, Lambert, Phong, Gaussian,      // lobes
+               Orient, Reconstruct, ReconstructEven, ReconstructZonal, ReconstructLambert,  // transforms
+               ReconstructConvolved, Convolve, ConvolveZonal, Dot, DotEven, DotZonal, WindowFactors<Window::hann>,
+               WindowFactors<Window::sinc>, ApplyWindow<Window::hann>, ApplyWindow<Window::sinc>>;
+// They run kernels of BasisKernels, and cost next to nothing to compile beside them.
+using ColourKernels =
+    KernelList<OfColours<Orient>, OfColours<Reconstruct>, OfColours<ReconstructEven>, OfColours<ReconstructZonal>,
+               OfColours<ReconstructLambert>, OfColours<ReconstructConvolved>, OfColours<Convolve>,
+               OfColours<Convolve, Colours::all>, OfColours<ConvolveZonal>, OfColours<ConvolveZonal, Colours::all>,
+               OfColours<Dot>, OfColours<Dot, Colours::all>, OfColours<DotEven>, OfColours<DotEven, Colours::all>,
+               OfColours<DotZonal>, OfColours<DotZonal, Colours::all>, OfColours<ApplyWindow<Window::hann>>,
+               OfColours<ApplyWindow<Window::sinc>>>;
+using SceneKernels = KernelList<Sphere, SphereWithGradient,                                               // lights
+                                CellPosition, CellWeightsOf<Interpolation::trilinear>,                    // grid
+                                CellWeightsOf<Interpolation::hermite>, ClearSums, AddSphere, FinishSums,  //
+                                HorizonOf<Horizon::smoothstep>, HorizonOf<Horizon::exact>,  // virtual lights
+                                HvlRadiance<1>, HvlRadiance<3>>;
+// They are no shader functions: of fixed lights, and for tests.
+using UnwrittenKernels =
+    KernelList<Arcs, SpotWithGradient, TriangleSphereWithGradient, PolygonWithGradient, HvlRadiance<3, Horizon::exact>>;
+
+/// visit(Entry{}) for each entry of the table, in its order.
+template <class Visit, class... Entries>
+void for_each_kernel(KernelList<Entries...>, Visit&& visit) {
+  (visit(Entries{}), ...);
+}
+
+}  // namespace kernels
+}  // namespace ZONAL_TARGET
+}  // namespace zonal

@@ -1,0 +1,245 @@
+// The registry's entries of the room `transform` (kernel_list.hpp).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "../basis/evaluate.hpp"
+#include "../lobe/lambert.hpp"
+#include "../transform/convolve.hpp"
+#include "../transform/dot.hpp"
+#include "../transform/orient.hpp"
+#include "../transform/window.hpp"
+#include "kernel_io.hpp"
+
+namespace zonal {
+inline namespace ZONAL_TARGET {
+namespace kernels {
+
+namespace detail {
+template <template <int, class> class Coefficients, int N, int Count, class Io>
+auto take_coefficients(Io& io, const char* name, bool is_first) {
+  const auto values = io.template coefficients<Count>(name, is_first);
+  Coefficients<N, typename Io::Scalar> result{};
+  for (int i = 0; i < Count; ++i) result[i] = values[static_cast<std::size_t>(i)];
+  return result;
+}
+template <int N, class Io>
+auto take_sh(Io& io, const char* name, bool is_first = true) {
+  return take_coefficients<Sh, N, N * N>(io, name, is_first);
+}
+template <int N, class Io>
+auto take_even(Io& io, const char* name, bool is_first = true) {
+  return take_coefficients<EvenSh, N, N*(N + 1) / 2>(io, name, is_first);
+}
+template <int N, class Io>
+auto take_zonal(Io& io, const char* name, bool is_first = true) {
+  return take_coefficients<Zh, N, N>(io, name, is_first);
+}
+}  // namespace detail
+
+struct Orient : Kernel {
+  static constexpr const char* name = "orient";
+  static constexpr const char* summary = "A zonal lobe turned to an axis, a unit vector.";
+  template <int N, class Io>
+  static void run(Io& io) {
+    using T = typename Io::Scalar;
+    const auto zh = detail::take_zonal<N>(io, "zh");
+    const auto axis = io.vector("axis", Domain::unit_vector);
+    const auto sh = io.template output_sh<N>("sh");
+    orient(zh, axis[0], axis[1], axis[2], [&](auto l, auto m, const T& value) { sh[sh_index(l, m)] = value; });
+  }
+};
+
+struct Reconstruct : Kernel {
+  static constexpr const char* name = "reconstruct";
+  static constexpr const char* summary = "A function's value in a direction: basis and sum fused.";
+  template <int N, class Io>
+  static void run(Io& io) {
+    const auto sh = detail::take_sh<N>(io, "sh");
+    const auto direction = io.vector("direction", Domain::unit_vector);
+    io.output("value", 0)[0] = reconstruct(sh, direction);
+  }
+};
+
+struct ReconstructEven : Kernel {
+  static constexpr const char* name = "reconstruct_even";
+  static constexpr const char* summary = "The value of a function that is even in phi, coefficients of m >= 0.";
+  template <int N, class Io>
+  static void run(Io& io) {
+    const auto sh = detail::take_even<N>(io, "sh");
+    const auto v = io.vector("direction", Domain::unit_vector);
+    io.output("value", 0)[0] = dot(sh, evaluate_even<N>(v[0], v[2]));
+  }
+};
+
+struct ReconstructZonal : Kernel {
+  static constexpr const char* name = "reconstruct_zonal";
+  static constexpr const char* summary = "A zonal function's value at an angle from its axis.";
+  template <int N, class Io>
+  static void run(Io& io) {
+    const auto zh = detail::take_zonal<N>(io, "zh");
+    const auto cos_angle = io.number("cos_angle", Domain::cosine);
+    io.output("value", 0)[0] = reconstruct_zonal(zh, cos_angle);
+  }
+};
+
+struct ReconstructLambert : Kernel {
+  static constexpr const char* name = "reconstruct_lambert";
+  static constexpr const char* summary = "Radiance convolved with the clamped cosine: irradiance over pi at a normal.";
+  template <int N, class Io>
+  static void run(Io& io) {
+    const auto radiance = detail::take_sh<N>(io, "radiance");
+    const auto normal = io.vector("normal", Domain::unit_vector);
+    io.output("value", 0)[0] = reconstruct_convolved(radiance, LambertLobe{}, normal);
+  }
+};
+
+struct ReconstructConvolved : Kernel {
+  static constexpr const char* name = "reconstruct_convolved";
+  static constexpr const char* summary = "The value in a direction of a convolution with a zonal kernel.";
+  template <int N, class Io>
+  static void run(Io& io) {
+    const auto sh = detail::take_sh<N>(io, "sh");
+    const auto kernel = detail::take_zonal<N>(io, "kernel", false);
+    const auto direction = io.vector("direction", Domain::unit_vector);
+    io.output("value", 0)[0] = reconstruct_convolved(sh, kernel, direction);
+  }
+};
+
+struct Convolve : Kernel {
+  static constexpr const char* name = "convolve";
+  static constexpr const char* summary = "Convolution with a zonal kernel.";
+  template <int N, class Io>
+  static void run(Io& io) {
+    const auto sh = detail::take_sh<N>(io, "sh");
+    const auto kernel = detail::take_zonal<N>(io, "kernel", false);
+    const auto result = io.template output_sh<N>("result");
+    const auto convolved = convolve(sh, kernel);
+    for (int i = 0; i < N * N; ++i) result[i] = convolved[i];
+  }
+};
+
+struct ConvolveZonal : Kernel {
+  static constexpr const char* name = "convolve_zonal";
+  static constexpr const char* summary = "Convolution of a zonal function with a zonal kernel.";
+  template <int N, class Io>
+  static void run(Io& io) {
+    const auto zh = detail::take_zonal<N>(io, "zh"), kernel = detail::take_zonal<N>(io, "kernel", false);
+    const auto result = io.output("result", N);
+    const auto convolved = convolve(zh, kernel);
+    for (int l = 0; l < N; ++l) result[l] = convolved[l];
+  }
+};
+
+/// The sum of the products of coefficients; `take` reads an operand.
+template <class Entry>
+struct DotOf : Kernel {
+  template <int N, class Io>
+  static void run(Io& io) {
+    const auto a = Entry::template take<N>(io, "a", true), b = Entry::template take<N>(io, "b", false);
+    io.output("value", 0)[0] = dot(a, b);
+  }
+};
+
+struct Dot : DotOf<Dot> {
+  static constexpr const char* name = "dot";
+  static constexpr const char* summary = "The integral of a product: the sum of the products of coefficients.";
+  template <int N, class Io>
+  static auto take(Io& io, const char* parameter, bool is_first) {
+    return detail::take_sh<N>(io, parameter, is_first);
+  }
+};
+
+struct DotEven : DotOf<DotEven> {
+  static constexpr const char* name = "dot_even";
+  static constexpr const char* summary = "The integral of a product of functions even in phi, coefficients of m >= 0.";
+  template <int N, class Io>
+  static auto take(Io& io, const char* parameter, bool is_first) {
+    return detail::take_even<N>(io, parameter, is_first);
+  }
+};
+
+struct DotZonal : DotOf<DotZonal> {
+  static constexpr const char* name = "dot_zonal";
+  static constexpr const char* summary = "The integral of a product of zonal functions about one axis.";
+  template <int N, class Io>
+  static auto take(Io& io, const char* parameter, bool is_first) {
+    return detail::take_zonal<N>(io, parameter, is_first);
+  }
+};
+
+template <Window window>
+struct WindowFactors : Kernel {
+  static constexpr const char* name = window == Window::hann ? "hann_window" : "sinc_window";
+  static constexpr const char* summary = window == Window::hann
+                                             ? "The factor of each degree, (1 + cos(pi l / width)) / 2."
+                                             : "The factor of each degree, sin(pi l / width) / (pi l / width).";
+  template <int N, class Io>
+  static void run(Io& io) {
+    const auto width = io.number("width", Domain::window_width);
+    const auto factor = io.output("factor", N);
+    for (int l = 0; l < N; ++l) factor[l] = window_factor(window, l, width);
+  }
+};
+
+template <Window window>
+struct ApplyWindow : Kernel {
+  static constexpr const char* name = window == Window::hann ? "apply_hann_window" : "apply_sinc_window";
+  static constexpr const char* summary = window == Window::hann
+                                             ? "Each degree times its factor, (1 + cos(pi l / width)) / 2."
+                                             : "Each degree times its factor, sin(pi l / width) / (pi l / width).";
+  template <int N, class Io>
+  static void run(Io& io) {
+    const auto sh = detail::take_sh<N>(io, "sh");
+    const auto width = io.number("width", Domain::window_width);
+    const auto result = io.template output_sh<N>("result");
+    for (int l = 0; l < N; ++l) {
+      const auto factor = window_factor(window, l, width);
+      for (int m = -l; m <= l; ++m) result[sh_index(l, m)] = sh(l, m) * factor;
+    }
+  }
+};
+
+// ---- The same for colours -------------------------------------------------------------------------------------------
+
+namespace detail {
+constexpr std::size_t text_length(const char* text) { return std::string_view(text).size(); }
+
+/// Two texts in one, ended by 0.
+template <std::size_t Size>
+constexpr std::array<char, Size + 1> join_texts(std::string_view a, std::string_view b) {
+  std::array<char, Size + 1> text{};
+  for (std::size_t i = 0; i < Size; ++i) text[i] = i < a.size() ? a[i] : b[i - a.size()];
+  return text;
+}
+}  // namespace detail
+
+/// A function of colours, made of that of numbers: its coefficients and results are triples.
+template <class Entry, Colours colours = Colours::first>
+struct OfColours : Kernel {
+  template <int N, class Io>
+  static void run(Io& io) {
+    for (int channel = 0; channel < 3; ++channel) {
+      io.start_channel(colours, channel);
+      Entry::template run<N>(io);
+    }
+  }
+
+ private:
+  static constexpr const char* suffix = colours == Colours::first ? "_colour" : "_colours";
+  static constexpr const char* remark = colours == Colours::first ? " For colours." : " For colours by colours.";
+  static constexpr auto joined_name =
+      detail::join_texts<detail::text_length(Entry::name) + detail::text_length(suffix)>(Entry::name, suffix);
+  static constexpr auto joined_summary =
+      detail::join_texts<detail::text_length(Entry::summary) + detail::text_length(remark)>(Entry::summary, remark);
+
+ public:
+  static constexpr const char* name = joined_name.data();
+  static constexpr const char* summary = joined_summary.data();
+};
+
+}  // namespace kernels
+}  // namespace ZONAL_TARGET
+}  // namespace zonal

@@ -1,0 +1,266 @@
+// Loops over lights and grid vertices, in GLSL: thin shells around the recorded functions, which hold all the
+// mathematics.
+//
+// A shell reads lights and grids through macros that the including shader defines, so that they may stand in any
+// buffer, texture or uniform:
+//
+//   ZONAL_LIGHT(i)   float number i of the lights, light after light, the fields in the order given with each shell
+//   ZONAL_GRID(i)    float number i of a grid, in the order of CoefficientGrid::data()
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "../gather/hvl.hpp"
+#include "../kernels/kernel_list.hpp"
+#include "file_text.hpp"
+
+namespace zonal {
+inline namespace ZONAL_TARGET {
+namespace shader {
+
+/// A recorded function that a shell calls.
+struct ShellNeed {
+  std::string_view function;
+  int order = all_orders;
+};
+
+struct Shell {
+  std::string_view name, summary;
+  std::vector<ShellNeed> (*needs)(int bands);
+  std::string (*text)(int bands);
+};
+
+namespace detail {
+
+/// The text with $N replaced by the number of bands, and further names by further numbers. What depends on dialect and
+/// options, types ($float), $precise and $GUARD, is left to shell_text.
+struct Substitution {
+  std::string name, value;
+};
+inline std::string substitute(std::string text, const std::vector<Substitution>& substitutions) {
+  for (const Substitution& s : substitutions) {
+    for (std::size_t at = 0; (at = text.find(s.name, at)) != std::string::npos; at += s.value.size()) {
+      text.replace(at, s.name.size(), s.value);
+    }
+  }
+  return text;
+}
+
+/// A loop over all lights for each suffix of a function's name: one for all orders at once, or one for each order.
+inline std::string light_loops(std::string_view loop, const std::vector<std::string>& suffixes) {
+  std::string text;
+  for (const std::string& suffix : suffixes) text += substitute(std::string(loop), {{"$SUFFIX", suffix}});
+  return text;
+}
+template <class Entry>
+std::vector<std::string> order_suffixes(int bands, bool is_reversed) {
+  if (!is_reversed) return {""};
+  std::vector<std::string> suffixes;
+  for (int m = 0; m < Entry::order_count(bands); ++m) suffixes.push_back("_order_" + std::to_string(m));
+  return suffixes;
+}
+template <class Entry>
+std::vector<ShellNeed> with_orders(int bands, bool is_reversed) {
+  if (!is_reversed) return {{Entry::name}};
+  std::vector<ShellNeed> needs;
+  for (int m = 0; m < Entry::order_count(bands); ++m) needs.push_back({Entry::name, m});
+  return needs;
+}
+
+// ---- The gather of virtual lights -----------------------------------------------------------------------------------
+
+template <int NE>
+std::string load_light() {
+  constexpr int size = HvlRecord<NE, float>::emission_size;
+  std::string emission;
+  for (int i = 0; i < size; ++i) {
+    emission += "  hvl.emission[" + std::to_string(i) + "] = vec3(";
+    for (int c = 0; c < 3; ++c) {
+      emission += (c > 0 ? ", " : "") + ("ZONAL_LIGHT(at + " + std::to_string(10 + c * size + i) + "u)");
+    }
+    emission += ");\n";
+  }
+  return emission;
+}
+
+template <int NE, bool is_reversed>
+std::string gather_text(int bands) {
+  const std::string text = R"(// A virtual light: $FIELDS floats, in the order of HvlRecord::field.
+#ifndef $GUARDHVL_$NE
+#define $GUARDHVL_$NE
+struct zonal_Hvl_$NE {
+  $vec3 position;
+  $vec3 normal;
+  $vec3 tangent;
+  $float radius;
+  $vec3 emission[$SIZE];
+};
+zonal_Hvl_$NE zonal_load_hvl_$NE($uint i) {
+  $uint at = i * $FIELDSu;
+  zonal_Hvl_$NE hvl;
+  hvl.position = vec3(ZONAL_LIGHT(at), ZONAL_LIGHT(at + 1u), ZONAL_LIGHT(at + 2u));
+  hvl.normal = vec3(ZONAL_LIGHT(at + 3u), ZONAL_LIGHT(at + 4u), ZONAL_LIGHT(at + 5u));
+  hvl.tangent = vec3(ZONAL_LIGHT(at + 6u), ZONAL_LIGHT(at + 7u), ZONAL_LIGHT(at + 8u));
+  hvl.radius = ZONAL_LIGHT(at + 9u);
+$EMISSION  return hvl;
+}
+#endif
+// The outgoing radiance that all virtual lights cause; see gather (zonal/gather/hvl.hpp). `material` is F of m >= 0 at the
+// outgoing direction, which lies in the plane of normal and tangent.
+$vec3 zonal_$NAME_$N($uint light_count, $vec3 position, $vec3 normal, $vec3 tangent, in $vec3 material[$MATERIAL]) {
+  $precise $vec3 sum = vec3(0.0f);
+$LOOPS  return max(sum, vec3(0.0f));
+}
+)";
+  const std::string loop = R"(  for ($uint i = 0u; i < light_count; ++i) {
+    zonal_Hvl_$NE hvl = zonal_load_hvl_$NE(i);
+    sum += zonal_$RADIANCE_$N$SUFFIX(hvl.position, hvl.normal, hvl.tangent, hvl.radius, hvl.emission,
+                                     position, normal, tangent, material);
+  }
+)";
+  const std::string name = std::string("gather") + (NE == 1 ? "_diffuse" : "") + (is_reversed ? "_reversed" : "");
+  return substitute(text, {{"$LOOPS", light_loops(loop, order_suffixes<kernels::HvlRadiance<NE>>(bands, is_reversed))},
+                           {"$RADIANCE", kernels::HvlRadiance<NE>::name},
+                           {"$FIELDS", std::to_string(HvlRecord<NE, float>::field_count)},
+                           {"$SIZE", std::to_string(HvlRecord<NE, float>::emission_size)},
+                           {"$EMISSION", load_light<NE>()},
+                           {"$MATERIAL", std::to_string(even_index(bands, 0))},
+                           {"$NAME", name},
+                           {"$NE", std::to_string(NE)},
+                           {"$N", std::to_string(bands)}});
+}
+template <int NE, bool is_reversed>
+std::vector<ShellNeed> gather_needs(int bands) {
+  return with_orders<kernels::HvlRadiance<NE>>(bands, is_reversed);
+}
+
+// ---- The grid -------------------------------------------------------------------------------------------------------
+
+template <bool is_reversed>
+std::string sum_lights_text(int bands) {
+  const std::string text =
+      R"(// Coefficients and gradients at a vertex of all sphere lights, in colour channel 0, 1 or 2; see add_lights
+// (zonal/grid/add_lights.hpp). A light is 7 floats: center, radius, colour.
+void zonal_$NAME_$N($uint light_count, $uint channel, $vec3 vertex, $precise out $float value[$COUNT],
+    $precise out $vec3 gradient[$COUNT]) {
+  $precise $float up[$UP];
+  $precise $float down[$DOWN];
+  zonal_clear_sums_$N(value, up, down);
+$LOOPS  zonal_finish_sums_$N(up, down, gradient);
+}
+)";
+  const std::string loop = R"(  for ($uint i = 0u; i < light_count; ++i) {
+    $uint at = i * 7u;
+    zonal_add_sphere_$N$SUFFIX(vec3(ZONAL_LIGHT(at), ZONAL_LIGHT(at + 1u), ZONAL_LIGHT(at + 2u)), ZONAL_LIGHT(at + 3u),
+        ZONAL_LIGHT(at + 4u + channel), vertex, value, up, down);
+  }
+)";
+  return substitute(text, {{"$LOOPS", light_loops(loop, order_suffixes<kernels::AddSphere>(bands, is_reversed))},
+                           {"$COUNT", std::to_string(bands * bands)},
+                           {"$UP", std::to_string((bands + 1) * (bands + 1))},
+                           {"$DOWN", std::to_string(bands > 1 ? (bands - 1) * (bands - 1) : 1)},
+                           {"$NAME", is_reversed ? "sum_lights_reversed" : "sum_lights"},
+                           {"$N", std::to_string(bands)}});
+}
+template <bool is_reversed>
+std::vector<ShellNeed> sum_lights_needs(int bands) {
+  std::vector<ShellNeed> needs = with_orders<kernels::AddSphere>(bands, is_reversed);
+  needs.push_back({kernels::ClearSums::name});
+  needs.push_back({kernels::FinishSums::name});
+  return needs;
+}
+
+template <Interpolation method>
+std::string interpolate_text(int bands) {
+  const std::string text = R"(// Coefficients at a position in a grid; see interpolate (zonal/grid/interpolate.hpp).
+void zonal_interpolate_$NAME_$N($vec3 position, $vec3 low, $vec3 high, $uvec3 vertices,
+    $precise out $vec3 sh[$COUNT]) {
+  $vec3 place = zonal_cell_position(position, low, high, vec3(vertices));
+  $uvec3 cell = min(uvec3(place), vertices - 2u);
+  $vec3 t = place - vec3(cell);
+  $float weights[$WEIGHTS];
+  zonal_$NAME_weights(t.x, t.y, t.z, (high - low) / vec3(vertices - 1u), weights);
+  $uint first = cell.x + vertices.x * (cell.y + vertices.y * cell.z);
+  for ($int i = 0; i < $COUNT; ++i) {
+    $precise $vec3 sum = vec3(0.0f);
+    for ($uint corner = 0u; corner < 8u; ++corner) {
+      $uint vertex = first + (corner & 1u) + vertices.x * ((corner >> 1u & 1u) + vertices.y * (corner >> 2u));
+      for ($uint block = 0u; block < $BLOCKSu; ++block) {
+        $uint at = 3u * ((vertex * 4u + block) * $COUNTu + uint(i));
+        sum += weights[corner * $BLOCKSu + block] * vec3(ZONAL_GRID(at), ZONAL_GRID(at + 1u), ZONAL_GRID(at + 2u));
+      }
+    }
+    sh[i] = sum;
+  }
+}
+)";
+  constexpr int blocks = blocks_read(method);
+  return substitute(text, {{"$COUNT", std::to_string(bands * bands)},
+                           {"$WEIGHTS", std::to_string(8 * blocks)},
+                           {"$BLOCKS", std::to_string(blocks)},
+                           {"$NAME", method == Interpolation::hermite ? "hermite" : "trilinear"},
+                           {"$N", std::to_string(bands)}});
+}
+template <Interpolation method>
+std::vector<ShellNeed> interpolate_needs(int) {
+  return {{kernels::CellPosition::name}, {kernels::CellWeightsOf<method>::name}};
+}
+
+}  // namespace detail
+
+inline constexpr Shell shells[] = {
+    {"gather", "All virtual lights at a receiver, 3 bands of emission.", detail::gather_needs<3, false>,
+     detail::gather_text<3, false>},
+    {"gather_reversed", "The same, order by order.", detail::gather_needs<3, true>, detail::gather_text<3, true>},
+    {"gather_diffuse", "All virtual lights at a receiver, diffuse emission.", detail::gather_needs<1, false>,
+     detail::gather_text<1, false>},
+    {"gather_diffuse_reversed", "The same, order by order.", detail::gather_needs<1, true>,
+     detail::gather_text<1, true>},
+    {"sum_lights", "All sphere lights at a vertex of a grid, with gradients.", detail::sum_lights_needs<false>,
+     detail::sum_lights_text<false>},
+    {"sum_lights_reversed", "The same, order by order.", detail::sum_lights_needs<true>, detail::sum_lights_text<true>},
+    {"interpolate_trilinear", "Coefficients anywhere in a grid.", detail::interpolate_needs<Interpolation::trilinear>,
+     detail::interpolate_text<Interpolation::trilinear>},
+    {"interpolate_hermite", "The same, from values and gradients.", detail::interpolate_needs<Interpolation::hermite>,
+     detail::interpolate_text<Interpolation::hermite>},
+};
+
+/// How the text calls the shell.
+inline std::string shell_name(const Shell& shell, int bands, const TextOptions& options) {
+  return options.prefix + std::string(shell.name) + "_" + std::to_string(bands);
+}
+
+/// A shell in a dialect of GLSL. An integer needs its precision as well: by default it has 16 bits in a fragment
+/// shader.
+inline std::string shell_text(const Shell& shell, int bands, const Dialect& dialect, const TextOptions& options = {}) {
+  std::vector<detail::Substitution> words;
+  for (const std::string type : {"float", "vec3", "uvec3", "uint", "int"}) {
+    words.push_back({"$" + type, std::string(dialect.precision) + type});
+  }
+  words.push_back({"$precise ", options.precise ? std::string(dialect.precise) : ""});
+  words.push_back({"$GUARD", upper_case(options.prefix)});
+  words.push_back({"zonal_", options.prefix});
+  return detail::substitute(shell.text(bands), words);
+}
+
+/// Its signature alone, without what ends it.
+inline std::string signature_text(const Shell& shell, int bands, const Dialect& dialect,
+                                  const TextOptions& options = {}) {
+  const std::string text = shell_text(shell, bands, dialect, options);
+  const std::size_t begin = text.rfind('\n', text.find(shell_name(shell, bands, options) + "(")) + 1;
+  return text.substr(begin, text.find(") {", begin) + 1 - begin);
+}
+
+/// The shell of this name, or null.
+constexpr const Shell* find_shell(std::string_view name) {
+  for (const Shell& shell : shells) {
+    if (shell.name == name) return &shell;
+  }
+  return nullptr;
+}
+
+}  // namespace shader
+}  // namespace ZONAL_TARGET
+}  // namespace zonal

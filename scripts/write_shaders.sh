@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# Writes shaders/, for those who build no C++, when a kernel changes: scripts/write_shaders.sh <zonal-glsl> [<folder>]
+set -eu
+program="$(realpath "$1")"
+folder="${2:-$(dirname "$0")/../shaders}"
+mkdir -p "$folder"
+
+functions=""
+for name in evaluate evaluate_with_gradient reconstruct reconstruct_colour reconstruct_lambert \
+  reconstruct_lambert_colour orient orient_colour dot dot_colour dot_colours convolve convolve_colour lambert \
+  cap cap_up_to_hemisphere sphere_cap phong spherical_gaussian project_sphere; do
+  for bands in 2 3 4 5; do functions="$functions,$name@$bands"; done
+done
+
+write() { "$program" --functions "${functions#,}" --dialect "$1" -o "$folder/$2"; }
+write glsl450 zonal.glsl
+write glsles300 zonal_es.glsl
+write hlsl zonal.hlsl
+write wgsl zonal.wgsl
+write cpp zonal_functions.hpp

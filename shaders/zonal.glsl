@@ -1,0 +1,2616 @@
+// zonal 0.1.0, GLSL 4.50. --bands 5 --functions evaluate@2,evaluate@3,evaluate@4,evaluate@5,evaluate_with_gradient@2,evaluate_with_gradient@3,evaluate_with_gradient@4,evaluate_with_gradient@5,reconstruct@2,reconstruct@3,reconstruct@4,reconstruct@5,reconstruct_colour@2,reconstruct_colour@3,reconstruct_colour@4,reconstruct_colour@5,reconstruct_lambert@2,reconstruct_lambert@3,reconstruct_lambert@4,reconstruct_lambert@5,reconstruct_lambert_colour@2,reconstruct_lambert_colour@3,reconstruct_lambert_colour@4,reconstruct_lambert_colour@5,orient@2,orient@3,orient@4,orient@5,orient_colour@2,orient_colour@3,orient_colour@4,orient_colour@5,dot@2,dot@3,dot@4,dot@5,dot_colour@2,dot_colour@3,dot_colour@4,dot_colour@5,dot_colours@2,dot_colours@3,dot_colours@4,dot_colours@5,convolve@2,convolve@3,convolve@4,convolve@5,convolve_colour@2,convolve_colour@3,convolve_colour@4,convolve_colour@5,lambert@2,lambert@3,lambert@4,lambert@5,cap@2,cap@3,cap@4,cap@5,cap_up_to_hemisphere@2,cap_up_to_hemisphere@3,cap_up_to_hemisphere@4,cap_up_to_hemisphere@5,sphere_cap@2,sphere_cap@3,sphere_cap@4,sphere_cap@5,phong@2,phong@3,phong@4,phong@5,spherical_gaussian@2,spherical_gaussian@3,spherical_gaussian@4,spherical_gaussian@5,project_sphere@2,project_sphere@3,project_sphere@4,project_sphere@5
+// 80 functions, 4720 operations. Written by zonal-glsl: do not edit.
+
+#ifndef ZONAL_EVALUATE_2
+#define ZONAL_EVALUATE_2
+// Y_l^m at a unit vector, at l (l + 1) + m.
+// 3 operations: 0 additions, 3 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_evaluate_2(vec3 direction, out float y[4]) {
+  y[0] = 0.2820948f;
+  y[1] = -0.48860252f * direction.y;
+  y[2] = 0.48860252f * direction.z;
+  y[3] = -0.48860252f * direction.x;
+}
+#endif
+
+#ifndef ZONAL_EVALUATE_3
+#define ZONAL_EVALUATE_3
+// Y_l^m at a unit vector, at l (l + 1) + m.
+// 16 operations: 3 additions, 13 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_evaluate_3(vec3 direction, out float y[9]) {
+  y[0] = 0.2820948f;
+  y[1] = -0.48860252f * direction.y;
+  y[2] = 0.48860252f * direction.z;
+  y[3] = -0.48860252f * direction.x;
+  float t0 = direction.y * direction.x;
+  y[4] = 0.54627424f * (t0 + t0);
+  float t1 = -1.0925485f * direction.z;
+  y[5] = t1 * direction.y;
+  y[6] = 0.9461747f * (direction.z * direction.z) + -0.31539157f;
+  y[7] = t1 * direction.x;
+  y[8] = 0.54627424f * (direction.x * direction.x - direction.y * direction.y);
+}
+#endif
+
+#ifndef ZONAL_EVALUATE_4
+#define ZONAL_EVALUATE_4
+// Y_l^m at a unit vector, at l (l + 1) + m.
+// 34 operations: 7 additions, 27 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_evaluate_4(vec3 direction, out float y[16]) {
+  y[0] = 0.2820948f;
+  y[1] = -0.48860252f * direction.y;
+  y[2] = 0.48860252f * direction.z;
+  y[3] = -0.48860252f * direction.x;
+  float t0 = direction.y * direction.x;
+  float t1 = t0 + t0;
+  y[4] = 0.54627424f * t1;
+  float t2 = -1.0925485f * direction.z;
+  y[5] = t2 * direction.y;
+  float t3 = direction.z * direction.z;
+  y[6] = 0.9461747f * t3 + -0.31539157f;
+  y[7] = t2 * direction.x;
+  float t4 = direction.x * direction.x - direction.y * direction.y;
+  y[8] = 0.54627424f * t4;
+  y[9] = -0.5900436f * (direction.x * t1 + direction.y * t4);
+  float t5 = 1.4453057f * direction.z;
+  y[10] = t5 * t1;
+  float t6 = -2.285229f * t3 + 0.4570458f;
+  y[11] = t6 * direction.y;
+  y[12] = direction.z * (1.8658817f * t3 + -1.119529f);
+  y[13] = t6 * direction.x;
+  y[14] = t5 * t4;
+  y[15] = -0.5900436f * (direction.x * t4 - direction.y * t1);
+}
+#endif
+
+#ifndef ZONAL_EVALUATE_5
+#define ZONAL_EVALUATE_5
+// Y_l^m at a unit vector, at l (l + 1) + m.
+// 58 operations: 12 additions, 46 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_evaluate_5(vec3 direction, out float y[25]) {
+  y[0] = 0.2820948f;
+  y[1] = -0.48860252f * direction.y;
+  y[2] = 0.48860252f * direction.z;
+  y[3] = -0.48860252f * direction.x;
+  float t0 = direction.y * direction.x;
+  float t1 = t0 + t0;
+  y[4] = 0.54627424f * t1;
+  float t2 = -1.0925485f * direction.z;
+  y[5] = t2 * direction.y;
+  float t3 = direction.z * direction.z;
+  float t4 = 0.9461747f * t3 + -0.31539157f;
+  y[6] = t4;
+  y[7] = t2 * direction.x;
+  float t5 = direction.x * direction.x - direction.y * direction.y;
+  y[8] = 0.54627424f * t5;
+  float t6 = direction.x * t1 + direction.y * t5;
+  y[9] = -0.5900436f * t6;
+  float t7 = 1.4453057f * direction.z;
+  y[10] = t7 * t1;
+  float t8 = -2.285229f * t3 + 0.4570458f;
+  y[11] = t8 * direction.y;
+  float t9 = direction.z * (1.8658817f * t3 + -1.119529f);
+  y[12] = t9;
+  y[13] = t8 * direction.x;
+  y[14] = t7 * t5;
+  float t10 = direction.x * t5 - direction.y * t1;
+  y[15] = -0.5900436f * t10;
+  y[16] = 0.6258357f * (direction.x * t6 + direction.y * t10);
+  float t11 = -1.7701308f * direction.z;
+  y[17] = t11 * t6;
+  float t12 = 3.3116114f * t3 + -0.47308734f;
+  y[18] = t12 * t1;
+  float t13 = direction.z * (-4.683326f * t3 + 2.0071397f);
+  y[19] = t13 * direction.y;
+  y[20] = 1.9843135f * direction.z * t9 - 1.0062306f * t4;
+  y[21] = t13 * direction.x;
+  y[22] = t12 * t5;
+  y[23] = t11 * t10;
+  y[24] = 0.6258357f * (direction.x * t10 - direction.y * t6);
+}
+#endif
+
+#ifndef ZONAL_EVALUATE_WITH_GRADIENT_2
+#define ZONAL_EVALUATE_WITH_GRADIENT_2
+// Y_l^m and the gradient of Y_l^m(v / |v|) at a unit vector.
+// 21 operations: 9 additions, 12 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_evaluate_with_gradient_2(vec3 direction, out float y[4], out vec3 gradient[4]) {
+  y[0] = 0.2820948f;
+  float t0 = -0.48860252f * direction.y;
+  y[1] = t0;
+  float t1 = 0.48860252f * direction.z;
+  y[2] = t1;
+  float t2 = -0.48860252f * direction.x;
+  y[3] = t2;
+  gradient[0].x = 0.0f;
+  gradient[0].y = 0.0f;
+  gradient[0].z = 0.0f;
+  gradient[1].x = 0.0f - direction.x * t0;
+  gradient[1].y = -0.48860252f - direction.y * t0;
+  gradient[1].z = 0.0f - direction.z * t0;
+  gradient[2].x = 0.0f - direction.x * t1;
+  gradient[2].y = 0.0f - direction.y * t1;
+  gradient[2].z = 0.48860252f - direction.z * t1;
+  gradient[3].x = -0.48860252f - direction.x * t2;
+  gradient[3].y = 0.0f - direction.y * t2;
+  gradient[3].z = 0.0f - direction.z * t2;
+}
+#endif
+
+#ifndef ZONAL_EVALUATE_WITH_GRADIENT_3
+#define ZONAL_EVALUATE_WITH_GRADIENT_3
+// Y_l^m and the gradient of Y_l^m(v / |v|) at a unit vector.
+// 76 operations: 28 additions, 48 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_evaluate_with_gradient_3(vec3 direction, out float y[9], out vec3 gradient[9]) {
+  y[0] = 0.2820948f;
+  float t0 = -0.48860252f * direction.y;
+  y[1] = t0;
+  float t1 = 0.48860252f * direction.z;
+  y[2] = t1;
+  float t2 = -0.48860252f * direction.x;
+  y[3] = t2;
+  float t3 = direction.y * direction.x;
+  float t4 = 0.54627424f * (t3 + t3);
+  y[4] = t4;
+  float t5 = -1.0925485f * direction.z;
+  float t6 = t5 * direction.y;
+  y[5] = t6;
+  float t7 = 0.9461747f * (direction.z * direction.z) + -0.31539157f;
+  y[6] = t7;
+  float t8 = t5 * direction.x;
+  y[7] = t8;
+  float t9 = 0.54627424f * (direction.x * direction.x - direction.y * direction.y);
+  y[8] = t9;
+  gradient[0].x = 0.0f;
+  gradient[0].y = 0.0f;
+  gradient[0].z = 0.0f;
+  gradient[1].x = 0.0f - direction.x * t0;
+  gradient[1].y = -0.48860252f - direction.y * t0;
+  gradient[1].z = 0.0f - direction.z * t0;
+  gradient[2].x = 0.0f - direction.x * t1;
+  gradient[2].y = 0.0f - direction.y * t1;
+  gradient[2].z = 0.48860252f - direction.z * t1;
+  gradient[3].x = -0.48860252f - direction.x * t2;
+  gradient[3].y = 0.0f - direction.y * t2;
+  gradient[3].z = 0.0f - direction.z * t2;
+  float t10 = -2.236068f * t0;
+  float t11 = 2.0f * direction.x;
+  gradient[4].x = t10 - t11 * t4;
+  float t12 = -2.236068f * t2;
+  float t13 = 2.0f * direction.y;
+  gradient[4].y = t12 - t13 * t4;
+  float t14 = 2.0f * direction.z;
+  gradient[4].z = 0.0f - t14 * t4;
+  gradient[5].x = 0.0f - t11 * t6;
+  float t15 = -2.236068f * t1;
+  gradient[5].y = t15 - t13 * t6;
+  gradient[5].z = 2.236068f * t0 - t14 * t6;
+  gradient[6].x = 1.2909944f * t2 - t11 * t7;
+  gradient[6].y = 1.2909944f * t0 - t13 * t7;
+  gradient[6].z = 2.5819888f * t1 - t14 * t7;
+  gradient[7].x = t15 - t11 * t8;
+  gradient[7].y = 0.0f - t13 * t8;
+  gradient[7].z = 2.236068f * t2 - t14 * t8;
+  gradient[8].x = t12 - t11 * t9;
+  gradient[8].y = -t10 - t13 * t9;
+  gradient[8].z = 0.0f - t14 * t9;
+}
+#endif
+
+#ifndef ZONAL_EVALUATE_WITH_GRADIENT_4
+#define ZONAL_EVALUATE_WITH_GRADIENT_4
+// Y_l^m and the gradient of Y_l^m(v / |v|) at a unit vector.
+// 157 operations: 57 additions, 100 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_evaluate_with_gradient_4(vec3 direction, out float y[16], out vec3 gradient[16]) {
+  y[0] = 0.2820948f;
+  float t0 = -0.48860252f * direction.y;
+  y[1] = t0;
+  float t1 = 0.48860252f * direction.z;
+  y[2] = t1;
+  float t2 = -0.48860252f * direction.x;
+  y[3] = t2;
+  float t3 = direction.y * direction.x;
+  float t4 = t3 + t3;
+  float t5 = 0.54627424f * t4;
+  y[4] = t5;
+  float t6 = -1.0925485f * direction.z;
+  float t7 = t6 * direction.y;
+  y[5] = t7;
+  float t8 = direction.z * direction.z;
+  float t9 = 0.9461747f * t8 + -0.31539157f;
+  y[6] = t9;
+  float t10 = t6 * direction.x;
+  y[7] = t10;
+  float t11 = direction.x * direction.x - direction.y * direction.y;
+  float t12 = 0.54627424f * t11;
+  y[8] = t12;
+  float t13 = -0.5900436f * (direction.x * t4 + direction.y * t11);
+  y[9] = t13;
+  float t14 = 1.4453057f * direction.z;
+  float t15 = t14 * t4;
+  y[10] = t15;
+  float t16 = -2.285229f * t8 + 0.4570458f;
+  float t17 = t16 * direction.y;
+  y[11] = t17;
+  float t18 = direction.z * (1.8658817f * t8 + -1.119529f);
+  y[12] = t18;
+  float t19 = t16 * direction.x;
+  y[13] = t19;
+  float t20 = t14 * t11;
+  y[14] = t20;
+  float t21 = -0.5900436f * (direction.x * t11 - direction.y * t4);
+  y[15] = t21;
+  gradient[0].x = 0.0f;
+  gradient[0].y = 0.0f;
+  gradient[0].z = 0.0f;
+  gradient[1].x = 0.0f - direction.x * t0;
+  gradient[1].y = -0.48860252f - direction.y * t0;
+  gradient[1].z = 0.0f - direction.z * t0;
+  gradient[2].x = 0.0f - direction.x * t1;
+  gradient[2].y = 0.0f - direction.y * t1;
+  gradient[2].z = 0.48860252f - direction.z * t1;
+  gradient[3].x = -0.48860252f - direction.x * t2;
+  gradient[3].y = 0.0f - direction.y * t2;
+  gradient[3].z = 0.0f - direction.z * t2;
+  float t22 = -2.236068f * t0;
+  float t23 = 2.0f * direction.x;
+  gradient[4].x = t22 - t23 * t5;
+  float t24 = -2.236068f * t2;
+  float t25 = 2.0f * direction.y;
+  gradient[4].y = t24 - t25 * t5;
+  float t26 = 2.0f * direction.z;
+  gradient[4].z = 0.0f - t26 * t5;
+  gradient[5].x = 0.0f - t23 * t7;
+  float t27 = -2.236068f * t1;
+  gradient[5].y = t27 - t25 * t7;
+  gradient[5].z = 2.236068f * t0 - t26 * t7;
+  gradient[6].x = 1.2909944f * t2 - t23 * t9;
+  gradient[6].y = 1.2909944f * t0 - t25 * t9;
+  gradient[6].z = 2.5819888f * t1 - t26 * t9;
+  gradient[7].x = t27 - t23 * t10;
+  gradient[7].y = 0.0f - t25 * t10;
+  gradient[7].z = 2.236068f * t2 - t26 * t10;
+  gradient[8].x = t24 - t23 * t12;
+  gradient[8].y = -t22 - t25 * t12;
+  gradient[8].z = 0.0f - t26 * t12;
+  float t28 = -3.2403703f * t5;
+  float t29 = 3.0f * direction.x;
+  gradient[9].x = t28 - t29 * t13;
+  float t30 = -3.2403703f * t12;
+  float t31 = 3.0f * direction.y;
+  gradient[9].y = t30 - t31 * t13;
+  float t32 = 3.0f * direction.z;
+  gradient[9].z = 0.0f - t32 * t13;
+  float t33 = -2.6457512f * t7;
+  gradient[10].x = t33 - t29 * t15;
+  float t34 = -2.6457512f * t10;
+  gradient[10].y = t34 - t31 * t15;
+  gradient[10].z = 2.6457512f * t5 - t32 * t15;
+  float t35 = 0.83666f * t5;
+  gradient[11].x = t35 - t29 * t17;
+  float t36 = -2.8982754f * t9;
+  float t37 = 0.83666f * t12;
+  gradient[11].y = t36 - t37 - t31 * t17;
+  gradient[11].z = 3.34664f * t7 - t32 * t17;
+  gradient[12].x = 2.04939f * t10 - t29 * t18;
+  gradient[12].y = 2.04939f * t7 - t31 * t18;
+  gradient[12].z = 3.5496478f * t9 - t32 * t18;
+  gradient[13].x = t37 + t36 - t29 * t19;
+  gradient[13].y = t35 - t31 * t19;
+  gradient[13].z = 3.34664f * t10 - t32 * t19;
+  gradient[14].x = t34 - t29 * t20;
+  gradient[14].y = -t33 - t31 * t20;
+  gradient[14].z = 2.6457512f * t12 - t32 * t20;
+  gradient[15].x = t30 - t29 * t21;
+  gradient[15].y = -t28 - t31 * t21;
+  gradient[15].z = 0.0f - t32 * t21;
+}
+#endif
+
+#ifndef ZONAL_EVALUATE_WITH_GRADIENT_5
+#define ZONAL_EVALUATE_WITH_GRADIENT_5
+// Y_l^m and the gradient of Y_l^m(v / |v|) at a unit vector.
+// 266 operations: 97 additions, 169 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_evaluate_with_gradient_5(vec3 direction, out float y[25], out vec3 gradient[25]) {
+  y[0] = 0.2820948f;
+  float t0 = -0.48860252f * direction.y;
+  y[1] = t0;
+  float t1 = 0.48860252f * direction.z;
+  y[2] = t1;
+  float t2 = -0.48860252f * direction.x;
+  y[3] = t2;
+  float t3 = direction.y * direction.x;
+  float t4 = t3 + t3;
+  float t5 = 0.54627424f * t4;
+  y[4] = t5;
+  float t6 = -1.0925485f * direction.z;
+  float t7 = t6 * direction.y;
+  y[5] = t7;
+  float t8 = direction.z * direction.z;
+  float t9 = 0.9461747f * t8 + -0.31539157f;
+  y[6] = t9;
+  float t10 = t6 * direction.x;
+  y[7] = t10;
+  float t11 = direction.x * direction.x - direction.y * direction.y;
+  float t12 = 0.54627424f * t11;
+  y[8] = t12;
+  float t13 = direction.x * t4 + direction.y * t11;
+  float t14 = -0.5900436f * t13;
+  y[9] = t14;
+  float t15 = 1.4453057f * direction.z;
+  float t16 = t15 * t4;
+  y[10] = t16;
+  float t17 = -2.285229f * t8 + 0.4570458f;
+  float t18 = t17 * direction.y;
+  y[11] = t18;
+  float t19 = direction.z * (1.8658817f * t8 + -1.119529f);
+  y[12] = t19;
+  float t20 = t17 * direction.x;
+  y[13] = t20;
+  float t21 = t15 * t11;
+  y[14] = t21;
+  float t22 = direction.x * t11 - direction.y * t4;
+  float t23 = -0.5900436f * t22;
+  y[15] = t23;
+  float t24 = 0.6258357f * (direction.x * t13 + direction.y * t22);
+  y[16] = t24;
+  float t25 = -1.7701308f * direction.z;
+  float t26 = t25 * t13;
+  y[17] = t26;
+  float t27 = 3.3116114f * t8 + -0.47308734f;
+  float t28 = t27 * t4;
+  y[18] = t28;
+  float t29 = direction.z * (-4.683326f * t8 + 2.0071397f);
+  float t30 = t29 * direction.y;
+  y[19] = t30;
+  float t31 = 1.9843135f * direction.z * t19 - 1.0062306f * t9;
+  y[20] = t31;
+  float t32 = t29 * direction.x;
+  y[21] = t32;
+  float t33 = t27 * t11;
+  y[22] = t33;
+  float t34 = t25 * t22;
+  y[23] = t34;
+  float t35 = 0.6258357f * (direction.x * t22 - direction.y * t13);
+  y[24] = t35;
+  gradient[0].x = 0.0f;
+  gradient[0].y = 0.0f;
+  gradient[0].z = 0.0f;
+  gradient[1].x = 0.0f - direction.x * t0;
+  gradient[1].y = -0.48860252f - direction.y * t0;
+  gradient[1].z = 0.0f - direction.z * t0;
+  gradient[2].x = 0.0f - direction.x * t1;
+  gradient[2].y = 0.0f - direction.y * t1;
+  gradient[2].z = 0.48860252f - direction.z * t1;
+  gradient[3].x = -0.48860252f - direction.x * t2;
+  gradient[3].y = 0.0f - direction.y * t2;
+  gradient[3].z = 0.0f - direction.z * t2;
+  float t36 = -2.236068f * t0;
+  float t37 = 2.0f * direction.x;
+  gradient[4].x = t36 - t37 * t5;
+  float t38 = -2.236068f * t2;
+  float t39 = 2.0f * direction.y;
+  gradient[4].y = t38 - t39 * t5;
+  float t40 = 2.0f * direction.z;
+  gradient[4].z = 0.0f - t40 * t5;
+  gradient[5].x = 0.0f - t37 * t7;
+  float t41 = -2.236068f * t1;
+  gradient[5].y = t41 - t39 * t7;
+  gradient[5].z = 2.236068f * t0 - t40 * t7;
+  gradient[6].x = 1.2909944f * t2 - t37 * t9;
+  gradient[6].y = 1.2909944f * t0 - t39 * t9;
+  gradient[6].z = 2.5819888f * t1 - t40 * t9;
+  gradient[7].x = t41 - t37 * t10;
+  gradient[7].y = 0.0f - t39 * t10;
+  gradient[7].z = 2.236068f * t2 - t40 * t10;
+  gradient[8].x = t38 - t37 * t12;
+  gradient[8].y = -t36 - t39 * t12;
+  gradient[8].z = 0.0f - t40 * t12;
+  float t42 = -3.2403703f * t5;
+  float t43 = 3.0f * direction.x;
+  gradient[9].x = t42 - t43 * t14;
+  float t44 = -3.2403703f * t12;
+  float t45 = 3.0f * direction.y;
+  gradient[9].y = t44 - t45 * t14;
+  float t46 = 3.0f * direction.z;
+  gradient[9].z = 0.0f - t46 * t14;
+  float t47 = -2.6457512f * t7;
+  gradient[10].x = t47 - t43 * t16;
+  float t48 = -2.6457512f * t10;
+  gradient[10].y = t48 - t45 * t16;
+  gradient[10].z = 2.6457512f * t5 - t46 * t16;
+  float t49 = 0.83666f * t5;
+  gradient[11].x = t49 - t43 * t18;
+  float t50 = -2.8982754f * t9;
+  float t51 = 0.83666f * t12;
+  gradient[11].y = t50 - t51 - t45 * t18;
+  gradient[11].z = 3.34664f * t7 - t46 * t18;
+  gradient[12].x = 2.04939f * t10 - t43 * t19;
+  gradient[12].y = 2.04939f * t7 - t45 * t19;
+  gradient[12].z = 3.5496478f * t9 - t46 * t19;
+  gradient[13].x = t51 + t50 - t43 * t20;
+  gradient[13].y = t49 - t45 * t20;
+  gradient[13].z = 3.34664f * t10 - t46 * t20;
+  gradient[14].x = t48 - t43 * t21;
+  gradient[14].y = -t47 - t45 * t21;
+  gradient[14].z = 2.6457512f * t12 - t46 * t21;
+  gradient[15].x = t44 - t43 * t23;
+  gradient[15].y = -t42 - t45 * t23;
+  gradient[15].z = 0.0f - t46 * t23;
+  float t52 = -4.2426405f * t14;
+  float t53 = 4.0f * direction.x;
+  gradient[16].x = t52 - t53 * t24;
+  float t54 = -4.2426405f * t23;
+  float t55 = 4.0f * direction.y;
+  gradient[16].y = t54 - t55 * t24;
+  float t56 = 4.0f * direction.z;
+  gradient[16].z = 0.0f - t56 * t24;
+  float t57 = -3.6742346f * t16;
+  gradient[17].x = t57 - t53 * t26;
+  float t58 = -3.6742346f * t21;
+  gradient[17].y = t58 - t55 * t26;
+  gradient[17].z = 3.0f * t14 - t56 * t26;
+  float t59 = 0.80178374f * t14;
+  float t60 = -3.105295f * t18;
+  gradient[18].x = t59 + t60 - t53 * t28;
+  float t61 = -3.105295f * t20;
+  float t62 = 0.80178374f * t23;
+  gradient[18].y = t61 - t62 - t55 * t28;
+  gradient[18].z = 3.927922f * t16 - t56 * t28;
+  float t63 = 1.3887302f * t16;
+  gradient[19].x = t63 - t53 * t30;
+  float t64 = -3.5856857f * t19;
+  float t65 = 1.3887302f * t21;
+  gradient[19].y = t64 - t65 - t55 * t30;
+  gradient[19].z = 4.3915505f * t18 - t56 * t30;
+  gradient[20].x = 2.7774603f * t20 - t53 * t31;
+  gradient[20].y = 2.7774603f * t18 - t55 * t31;
+  gradient[20].z = 4.5355735f * t19 - t56 * t31;
+  gradient[21].x = t65 + t64 - t53 * t32;
+  gradient[21].y = t63 - t55 * t32;
+  gradient[21].z = 4.3915505f * t20 - t56 * t32;
+  gradient[22].x = t62 + t61 - t53 * t33;
+  gradient[22].y = t59 - t60 - t55 * t33;
+  gradient[22].z = 3.927922f * t21 - t56 * t33;
+  gradient[23].x = t58 - t53 * t34;
+  gradient[23].y = -t57 - t55 * t34;
+  gradient[23].z = 3.0f * t23 - t56 * t34;
+  gradient[24].x = t54 - t53 * t35;
+  gradient[24].y = -t52 - t55 * t35;
+  gradient[24].z = 0.0f - t56 * t35;
+}
+#endif
+
+#ifndef ZONAL_RECONSTRUCT_2
+#define ZONAL_RECONSTRUCT_2
+// A function's value in a direction: basis and sum fused.
+// 10 operations: 3 additions, 7 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+float zonal_reconstruct_2(in float sh[4], vec3 direction) {
+  float t0 = sh[2] * (0.48860252f * direction.z) + sh[3] * (-0.48860252f * direction.x);
+  float value = sh[0] * 0.2820948f + sh[1] * (-0.48860252f * direction.y) + t0;
+  return value;
+}
+#endif
+
+#ifndef ZONAL_RECONSTRUCT_3
+#define ZONAL_RECONSTRUCT_3
+// A function's value in a direction: basis and sum fused.
+// 33 operations: 11 additions, 22 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+float zonal_reconstruct_3(in float sh[9], vec3 direction) {
+  float t0 = direction.y * direction.x;
+  float t1 = sh[8] * (0.54627424f * (direction.x * direction.x - direction.y * direction.y));
+  float t2 = -1.0925485f * direction.z;
+  float t3 = sh[0] * 0.2820948f + sh[4] * (0.54627424f * (t0 + t0)) + t1 + (sh[1] * (-0.48860252f * direction.y) + sh[5] * (t2 * direction.y));
+  float t4 = sh[2] * (0.48860252f * direction.z) + sh[6] * (0.9461747f * (direction.z * direction.z) + -0.31539157f);
+  float t5 = t4 + (sh[3] * (-0.48860252f * direction.x) + sh[7] * (t2 * direction.x));
+  float value = t3 + t5;
+  return value;
+}
+#endif
+
+#ifndef ZONAL_RECONSTRUCT_4
+#define ZONAL_RECONSTRUCT_4
+// A function's value in a direction: basis and sum fused.
+// 65 operations: 22 additions, 43 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+float zonal_reconstruct_4(in float sh[16], vec3 direction) {
+  float t0 = direction.z * direction.z;
+  float t1 = sh[0] * 0.2820948f + sh[12] * (direction.z * (1.8658817f * t0 + -1.119529f));
+  float t2 = direction.y * direction.x;
+  float t3 = t2 + t2;
+  float t4 = direction.x * direction.x - direction.y * direction.y;
+  float t5 = -1.0925485f * direction.z;
+  float t6 = -2.285229f * t0 + 0.4570458f;
+  float t7 = sh[1] * (-0.48860252f * direction.y) + sh[5] * (t5 * direction.y) + sh[13] * (t6 * direction.x);
+  float t8 = t1 + sh[4] * (0.54627424f * t3) + sh[8] * (0.54627424f * t4) + (t7 + sh[9] * (-0.5900436f * (direction.x * t3 + direction.y * t4)));
+  float t9 = sh[2] * (0.48860252f * direction.z) + sh[6] * (0.9461747f * t0 + -0.31539157f);
+  float t10 = 1.4453057f * direction.z;
+  float t11 = sh[3] * (-0.48860252f * direction.x) + sh[7] * (t5 * direction.x) + sh[11] * (t6 * direction.y);
+  float t12 = t9 + sh[10] * (t10 * t3) + sh[14] * (t10 * t4) + (t11 + sh[15] * (-0.5900436f * (direction.x * t4 - direction.y * t3)));
+  float value = t8 + t12;
+  return value;
+}
+#endif
+
+#ifndef ZONAL_RECONSTRUCT_5
+#define ZONAL_RECONSTRUCT_5
+// A function's value in a direction: basis and sum fused.
+// 107 operations: 36 additions, 71 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+float zonal_reconstruct_5(in float sh[25], vec3 direction) {
+  float t0 = direction.z * direction.z;
+  float t1 = direction.z * (1.8658817f * t0 + -1.119529f);
+  float t2 = 0.9461747f * t0 + -0.31539157f;
+  float t3 = sh[0] * 0.2820948f + sh[12] * t1 + sh[20] * (1.9843135f * direction.z * t1 - 1.0062306f * t2);
+  float t4 = direction.y * direction.x;
+  float t5 = t4 + t4;
+  float t6 = direction.x * direction.x - direction.y * direction.y;
+  float t7 = direction.x * t5 + direction.y * t6;
+  float t8 = direction.x * t6 - direction.y * t5;
+  float t9 = t3 + sh[4] * (0.54627424f * t5) + sh[8] * (0.54627424f * t6) + sh[16] * (0.6258357f * (direction.x * t7 + direction.y * t8));
+  float t10 = -1.0925485f * direction.z;
+  float t11 = -2.285229f * t0 + 0.4570458f;
+  float t12 = sh[1] * (-0.48860252f * direction.y) + sh[5] * (t10 * direction.y) + sh[13] * (t11 * direction.x);
+  float t13 = direction.z * (-4.683326f * t0 + 2.0071397f);
+  float t14 = -1.7701308f * direction.z;
+  float t15 = t12 + sh[21] * (t13 * direction.x) + sh[9] * (-0.5900436f * t7) + sh[17] * (t14 * t7);
+  float t16 = t9 + sh[24] * (0.6258357f * (direction.x * t8 - direction.y * t7)) + t15;
+  float t17 = 1.4453057f * direction.z;
+  float t18 = sh[2] * (0.48860252f * direction.z) + sh[6] * t2 + sh[10] * (t17 * t5) + sh[14] * (t17 * t6);
+  float t19 = 3.3116114f * t0 + -0.47308734f;
+  float t20 = sh[3] * (-0.48860252f * direction.x) + sh[7] * (t10 * direction.x) + sh[11] * (t11 * direction.y);
+  float t21 = t20 + sh[19] * (t13 * direction.y) + sh[15] * (-0.5900436f * t8) + sh[23] * (t14 * t8);
+  float value = t16 + (t18 + sh[18] * (t19 * t5) + sh[22] * (t19 * t6) + t21);
+  return value;
+}
+#endif
+
+#ifndef ZONAL_RECONSTRUCT_COLOUR_2
+#define ZONAL_RECONSTRUCT_COLOUR_2
+// A function's value in a direction: basis and sum fused. For colours.
+// 24 operations: 9 additions, 15 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+vec3 zonal_reconstruct_colour_2(in vec3 sh[4], vec3 direction) {
+  float t0 = -0.48860252f * direction.y;
+  float t1 = 0.48860252f * direction.z;
+  float t2 = -0.48860252f * direction.x;
+  vec3 value = vec3(sh[0].x * 0.2820948f + sh[1].x * t0 + (sh[2].x * t1 + sh[3].x * t2),
+      sh[0].y * 0.2820948f + sh[1].y * t0 + (sh[2].y * t1 + sh[3].y * t2),
+      sh[0].z * 0.2820948f + sh[1].z * t0 + (sh[2].z * t1 + sh[3].z * t2));
+  return value;
+}
+#endif
+
+#ifndef ZONAL_RECONSTRUCT_COLOUR_3
+#define ZONAL_RECONSTRUCT_COLOUR_3
+// A function's value in a direction: basis and sum fused. For colours.
+// 67 operations: 27 additions, 40 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+vec3 zonal_reconstruct_colour_3(in vec3 sh[9], vec3 direction) {
+  float t0 = direction.y * direction.x;
+  float t1 = 0.54627424f * (t0 + t0);
+  float t2 = 0.54627424f * (direction.x * direction.x - direction.y * direction.y);
+  float t3 = -0.48860252f * direction.y;
+  float t4 = -1.0925485f * direction.z;
+  float t5 = t4 * direction.y;
+  float t6 = sh[0].x * 0.2820948f + sh[4].x * t1 + sh[8].x * t2 + (sh[1].x * t3 + sh[5].x * t5);
+  float t7 = 0.48860252f * direction.z;
+  float t8 = 0.9461747f * (direction.z * direction.z) + -0.31539157f;
+  float t9 = -0.48860252f * direction.x;
+  float t10 = t4 * direction.x;
+  float t11 = sh[0].y * 0.2820948f + sh[4].y * t1 + sh[8].y * t2 + (sh[1].y * t3 + sh[5].y * t5);
+  float t12 = sh[0].z * 0.2820948f + sh[4].z * t1 + sh[8].z * t2 + (sh[1].z * t3 + sh[5].z * t5);
+  vec3 value = vec3(t6 + (sh[2].x * t7 + sh[6].x * t8 + (sh[3].x * t9 + sh[7].x * t10)),
+      t11 + (sh[2].y * t7 + sh[6].y * t8 + (sh[3].y * t9 + sh[7].y * t10)),
+      t12 + (sh[2].z * t7 + sh[6].z * t8 + (sh[3].z * t9 + sh[7].z * t10)));
+  return value;
+}
+#endif
+
+#ifndef ZONAL_RECONSTRUCT_COLOUR_4
+#define ZONAL_RECONSTRUCT_COLOUR_4
+// A function's value in a direction: basis and sum fused. For colours.
+// 127 operations: 52 additions, 75 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+vec3 zonal_reconstruct_colour_4(in vec3 sh[16], vec3 direction) {
+  float t0 = direction.z * direction.z;
+  float t1 = direction.z * (1.8658817f * t0 + -1.119529f);
+  float t2 = direction.y * direction.x;
+  float t3 = t2 + t2;
+  float t4 = 0.54627424f * t3;
+  float t5 = direction.x * direction.x - direction.y * direction.y;
+  float t6 = 0.54627424f * t5;
+  float t7 = -0.48860252f * direction.y;
+  float t8 = -1.0925485f * direction.z;
+  float t9 = t8 * direction.y;
+  float t10 = -2.285229f * t0 + 0.4570458f;
+  float t11 = t10 * direction.x;
+  float t12 = -0.5900436f * (direction.x * t3 + direction.y * t5);
+  float t13 = sh[0].x * 0.2820948f + sh[12].x * t1 + sh[4].x * t4 + sh[8].x * t6 + (sh[1].x * t7 + sh[5].x * t9 + sh[13].x * t11 + sh[9].x * t12);
+  float t14 = 0.48860252f * direction.z;
+  float t15 = 0.9461747f * t0 + -0.31539157f;
+  float t16 = 1.4453057f * direction.z;
+  float t17 = t16 * t3;
+  float t18 = t16 * t5;
+  float t19 = -0.48860252f * direction.x;
+  float t20 = t8 * direction.x;
+  float t21 = t10 * direction.y;
+  float t22 = -0.5900436f * (direction.x * t5 - direction.y * t3);
+  float t23 = sh[2].x * t14 + sh[6].x * t15 + sh[10].x * t17 + sh[14].x * t18 + (sh[3].x * t19 + sh[7].x * t20 + sh[11].x * t21 + sh[15].x * t22);
+  float t24 = sh[0].y * 0.2820948f + sh[12].y * t1 + sh[4].y * t4 + sh[8].y * t6 + (sh[1].y * t7 + sh[5].y * t9 + sh[13].y * t11 + sh[9].y * t12);
+  float t25 = sh[2].y * t14 + sh[6].y * t15 + sh[10].y * t17 + sh[14].y * t18 + (sh[3].y * t19 + sh[7].y * t20 + sh[11].y * t21 + sh[15].y * t22);
+  float t26 = sh[0].z * 0.2820948f + sh[12].z * t1 + sh[4].z * t4 + sh[8].z * t6 + (sh[1].z * t7 + sh[5].z * t9 + sh[13].z * t11 + sh[9].z * t12);
+  float t27 = sh[2].z * t14 + sh[6].z * t15 + sh[10].z * t17 + sh[14].z * t18 + (sh[3].z * t19 + sh[7].z * t20 + sh[11].z * t21 + sh[15].z * t22);
+  vec3 value = vec3(t13 + t23, t24 + t25, t26 + t27);
+  return value;
+}
+#endif
+
+#ifndef ZONAL_RECONSTRUCT_COLOUR_5
+#define ZONAL_RECONSTRUCT_COLOUR_5
+// A function's value in a direction: basis and sum fused. For colours.
+// 205 operations: 84 additions, 121 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+vec3 zonal_reconstruct_colour_5(in vec3 sh[25], vec3 direction) {
+  float t0 = direction.z * direction.z;
+  float t1 = direction.z * (1.8658817f * t0 + -1.119529f);
+  float t2 = 0.9461747f * t0 + -0.31539157f;
+  float t3 = 1.9843135f * direction.z * t1 - 1.0062306f * t2;
+  float t4 = direction.y * direction.x;
+  float t5 = t4 + t4;
+  float t6 = 0.54627424f * t5;
+  float t7 = direction.x * direction.x - direction.y * direction.y;
+  float t8 = 0.54627424f * t7;
+  float t9 = sh[0].x * 0.2820948f + sh[12].x * t1 + sh[20].x * t3 + sh[4].x * t6 + sh[8].x * t8;
+  float t10 = direction.x * t5 + direction.y * t7;
+  float t11 = direction.x * t7 - direction.y * t5;
+  float t12 = 0.6258357f * (direction.x * t10 + direction.y * t11);
+  float t13 = 0.6258357f * (direction.x * t11 - direction.y * t10);
+  float t14 = -0.48860252f * direction.y;
+  float t15 = -1.0925485f * direction.z;
+  float t16 = t15 * direction.y;
+  float t17 = -2.285229f * t0 + 0.4570458f;
+  float t18 = t17 * direction.x;
+  float t19 = direction.z * (-4.683326f * t0 + 2.0071397f);
+  float t20 = t19 * direction.x;
+  float t21 = -0.5900436f * t10;
+  float t22 = sh[1].x * t14 + sh[5].x * t16 + sh[13].x * t18 + sh[21].x * t20 + sh[9].x * t21;
+  float t23 = -1.7701308f * direction.z;
+  float t24 = t23 * t10;
+  float t25 = 0.48860252f * direction.z;
+  float t26 = 1.4453057f * direction.z;
+  float t27 = t26 * t5;
+  float t28 = t26 * t7;
+  float t29 = 3.3116114f * t0 + -0.47308734f;
+  float t30 = t29 * t5;
+  float t31 = sh[2].x * t25 + sh[6].x * t2 + sh[10].x * t27 + sh[14].x * t28 + sh[18].x * t30;
+  float t32 = t29 * t7;
+  float t33 = -0.48860252f * direction.x;
+  float t34 = t15 * direction.x;
+  float t35 = t17 * direction.y;
+  float t36 = t19 * direction.y;
+  float t37 = -0.5900436f * t11;
+  float t38 = sh[3].x * t33 + sh[7].x * t34 + sh[11].x * t35 + sh[19].x * t36 + sh[15].x * t37;
+  float t39 = t23 * t11;
+  float t40 = t9 + sh[16].x * t12 + sh[24].x * t13 + (t22 + sh[17].x * t24) + (t31 + sh[22].x * t32 + (t38 + sh[23].x * t39));
+  float t41 = sh[0].y * 0.2820948f + sh[12].y * t1 + sh[20].y * t3 + sh[4].y * t6 + sh[8].y * t8;
+  float t42 = sh[1].y * t14 + sh[5].y * t16 + sh[13].y * t18 + sh[21].y * t20 + sh[9].y * t21;
+  float t43 = sh[2].y * t25 + sh[6].y * t2 + sh[10].y * t27 + sh[14].y * t28 + sh[18].y * t30;
+  float t44 = sh[3].y * t33 + sh[7].y * t34 + sh[11].y * t35 + sh[19].y * t36 + sh[15].y * t37;
+  float t45 = t41 + sh[16].y * t12 + sh[24].y * t13 + (t42 + sh[17].y * t24) + (t43 + sh[22].y * t32 + (t44 + sh[23].y * t39));
+  float t46 = sh[0].z * 0.2820948f + sh[12].z * t1 + sh[20].z * t3 + sh[4].z * t6 + sh[8].z * t8;
+  float t47 = sh[1].z * t14 + sh[5].z * t16 + sh[13].z * t18 + sh[21].z * t20 + sh[9].z * t21;
+  float t48 = sh[2].z * t25 + sh[6].z * t2 + sh[10].z * t27 + sh[14].z * t28 + sh[18].z * t30;
+  float t49 = sh[3].z * t33 + sh[7].z * t34 + sh[11].z * t35 + sh[19].z * t36 + sh[15].z * t37;
+  float t50 = t46 + sh[16].z * t12 + sh[24].z * t13 + (t47 + sh[17].z * t24) + (t48 + sh[22].z * t32 + (t49 + sh[23].z * t39));
+  vec3 value = vec3(t40, t45, t50);
+  return value;
+}
+#endif
+
+#ifndef ZONAL_RECONSTRUCT_LAMBERT_2
+#define ZONAL_RECONSTRUCT_LAMBERT_2
+// Radiance convolved with the clamped cosine: irradiance over pi at a normal.
+// 11 operations: 3 additions, 8 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+float zonal_reconstruct_lambert_2(in float radiance[4], vec3 normal) {
+  float t0 = radiance[2] * (0.48860252f * normal.z) + radiance[1] * (-0.48860252f * normal.y);
+  float t1 = radiance[0] * 0.2820948f + (t0 + radiance[3] * (-0.48860252f * normal.x)) * 0.6666667f;
+  float value = t1;
+  return value;
+}
+#endif
+
+#ifndef ZONAL_RECONSTRUCT_LAMBERT_3
+#define ZONAL_RECONSTRUCT_LAMBERT_3
+// Radiance convolved with the clamped cosine: irradiance over pi at a normal.
+// 35 operations: 11 additions, 24 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+float zonal_reconstruct_lambert_3(in float radiance[9], vec3 normal) {
+  float t0 = radiance[2] * (0.48860252f * normal.z) + radiance[1] * (-0.48860252f * normal.y);
+  float t1 = radiance[0] * 0.2820948f + (t0 + radiance[3] * (-0.48860252f * normal.x)) * 0.6666667f;
+  float t2 = -1.0925485f * normal.z;
+  float t3 = radiance[6] * (0.9461747f * (normal.z * normal.z) + -0.31539157f) + radiance[5] * (t2 * normal.y);
+  float t4 = normal.y * normal.x;
+  float t5 = t3 + radiance[7] * (t2 * normal.x) + radiance[4] * (0.54627424f * (t4 + t4));
+  float t6 = radiance[8] * (0.54627424f * (normal.x * normal.x - normal.y * normal.y));
+  float value = t1 + (t5 + t6) * 0.25f;
+  return value;
+}
+#endif
+
+#ifndef ZONAL_RECONSTRUCT_LAMBERT_4
+#define ZONAL_RECONSTRUCT_LAMBERT_4
+// Radiance convolved with the clamped cosine: irradiance over pi at a normal.
+// 35 operations: 11 additions, 24 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+float zonal_reconstruct_lambert_4(in float radiance[16], vec3 normal) {
+  float t0 = radiance[2] * (0.48860252f * normal.z) + radiance[1] * (-0.48860252f * normal.y);
+  float t1 = radiance[0] * 0.2820948f + (t0 + radiance[3] * (-0.48860252f * normal.x)) * 0.6666667f;
+  float t2 = -1.0925485f * normal.z;
+  float t3 = radiance[6] * (0.9461747f * (normal.z * normal.z) + -0.31539157f) + radiance[5] * (t2 * normal.y);
+  float t4 = normal.y * normal.x;
+  float t5 = t3 + radiance[7] * (t2 * normal.x) + radiance[4] * (0.54627424f * (t4 + t4));
+  float t6 = radiance[8] * (0.54627424f * (normal.x * normal.x - normal.y * normal.y));
+  float value = t1 + (t5 + t6) * 0.25f;
+  return value;
+}
+#endif
+
+#ifndef ZONAL_RECONSTRUCT_LAMBERT_5
+#define ZONAL_RECONSTRUCT_LAMBERT_5
+// Radiance convolved with the clamped cosine: irradiance over pi at a normal.
+// 87 operations: 28 additions, 59 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+float zonal_reconstruct_lambert_5(in float radiance[25], vec3 normal) {
+  float t0 = normal.z * normal.z;
+  float t1 = 0.9461747f * t0 + -0.31539157f;
+  float t2 = 1.9843135f * normal.z * (normal.z * (1.8658817f * t0 + -1.119529f)) - 1.0062306f * t1;
+  float t3 = normal.z * (-4.683326f * t0 + 2.0071397f);
+  float t4 = radiance[20] * t2 + radiance[19] * (t3 * normal.y) + radiance[21] * (t3 * normal.x);
+  float t5 = 3.3116114f * t0 + -0.47308734f;
+  float t6 = normal.y * normal.x;
+  float t7 = t6 + t6;
+  float t8 = normal.x * normal.x - normal.y * normal.y;
+  float t9 = -1.7701308f * normal.z;
+  float t10 = normal.x * t7 + normal.y * t8;
+  float t11 = t4 + radiance[18] * (t5 * t7) + radiance[22] * (t5 * t8) + radiance[17] * (t9 * t10);
+  float t12 = normal.x * t8 - normal.y * t7;
+  float t13 = t11 + radiance[23] * (t9 * t12) + radiance[16] * (0.6258357f * (normal.x * t10 + normal.y * t12));
+  float t14 = (t13 + radiance[24] * (0.6258357f * (normal.x * t12 - normal.y * t10))) * -0.041666668f;
+  float t15 = radiance[2] * (0.48860252f * normal.z) + radiance[1] * (-0.48860252f * normal.y);
+  float t16 = radiance[0] * 0.2820948f + t14 + (t15 + radiance[3] * (-0.48860252f * normal.x)) * 0.6666667f;
+  float t17 = -1.0925485f * normal.z;
+  float t18 = radiance[6] * t1 + radiance[5] * (t17 * normal.y) + radiance[7] * (t17 * normal.x);
+  float t19 = t18 + radiance[4] * (0.54627424f * t7) + radiance[8] * (0.54627424f * t8);
+  float value = t16 + t19 * 0.25f;
+  return value;
+}
+#endif
+
+#ifndef ZONAL_RECONSTRUCT_LAMBERT_COLOUR_2
+#define ZONAL_RECONSTRUCT_LAMBERT_COLOUR_2
+// Radiance convolved with the clamped cosine: irradiance over pi at a normal. For colours.
+// 27 operations: 9 additions, 18 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+vec3 zonal_reconstruct_lambert_colour_2(in vec3 radiance[4], vec3 normal) {
+  float t0 = 0.48860252f * normal.z;
+  float t1 = -0.48860252f * normal.y;
+  float t2 = -0.48860252f * normal.x;
+  float t3 = (radiance[2].x * t0 + radiance[1].x * t1 + radiance[3].x * t2) * 0.6666667f;
+  float t4 = (radiance[2].y * t0 + radiance[1].y * t1 + radiance[3].y * t2) * 0.6666667f;
+  float t5 = (radiance[2].z * t0 + radiance[1].z * t1 + radiance[3].z * t2) * 0.6666667f;
+  vec3 value = vec3(radiance[0].x * 0.2820948f + t3,
+      radiance[0].y * 0.2820948f + t4,
+      radiance[0].z * 0.2820948f + t5);
+  return value;
+}
+#endif
+
+#ifndef ZONAL_RECONSTRUCT_LAMBERT_COLOUR_3
+#define ZONAL_RECONSTRUCT_LAMBERT_COLOUR_3
+// Radiance convolved with the clamped cosine: irradiance over pi at a normal. For colours.
+// 73 operations: 27 additions, 46 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+vec3 zonal_reconstruct_lambert_colour_3(in vec3 radiance[9], vec3 normal) {
+  float t0 = 0.48860252f * normal.z;
+  float t1 = -0.48860252f * normal.y;
+  float t2 = -0.48860252f * normal.x;
+  float t3 = (radiance[2].x * t0 + radiance[1].x * t1 + radiance[3].x * t2) * 0.6666667f;
+  float t4 = 0.9461747f * (normal.z * normal.z) + -0.31539157f;
+  float t5 = -1.0925485f * normal.z;
+  float t6 = t5 * normal.y;
+  float t7 = t5 * normal.x;
+  float t8 = normal.y * normal.x;
+  float t9 = 0.54627424f * (t8 + t8);
+  float t10 = radiance[6].x * t4 + radiance[5].x * t6 + radiance[7].x * t7 + radiance[4].x * t9;
+  float t11 = 0.54627424f * (normal.x * normal.x - normal.y * normal.y);
+  float t12 = (radiance[2].y * t0 + radiance[1].y * t1 + radiance[3].y * t2) * 0.6666667f;
+  float t13 = radiance[6].y * t4 + radiance[5].y * t6 + radiance[7].y * t7 + radiance[4].y * t9;
+  float t14 = (radiance[2].z * t0 + radiance[1].z * t1 + radiance[3].z * t2) * 0.6666667f;
+  float t15 = radiance[6].z * t4 + radiance[5].z * t6 + radiance[7].z * t7 + radiance[4].z * t9;
+  vec3 value = vec3(radiance[0].x * 0.2820948f + t3 + (t10 + radiance[8].x * t11) * 0.25f,
+      radiance[0].y * 0.2820948f + t12 + (t13 + radiance[8].y * t11) * 0.25f,
+      radiance[0].z * 0.2820948f + t14 + (t15 + radiance[8].z * t11) * 0.25f);
+  return value;
+}
+#endif
+
+#ifndef ZONAL_RECONSTRUCT_LAMBERT_COLOUR_4
+#define ZONAL_RECONSTRUCT_LAMBERT_COLOUR_4
+// Radiance convolved with the clamped cosine: irradiance over pi at a normal. For colours.
+// 73 operations: 27 additions, 46 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+vec3 zonal_reconstruct_lambert_colour_4(in vec3 radiance[16], vec3 normal) {
+  float t0 = 0.48860252f * normal.z;
+  float t1 = -0.48860252f * normal.y;
+  float t2 = -0.48860252f * normal.x;
+  float t3 = (radiance[2].x * t0 + radiance[1].x * t1 + radiance[3].x * t2) * 0.6666667f;
+  float t4 = 0.9461747f * (normal.z * normal.z) + -0.31539157f;
+  float t5 = -1.0925485f * normal.z;
+  float t6 = t5 * normal.y;
+  float t7 = t5 * normal.x;
+  float t8 = normal.y * normal.x;
+  float t9 = 0.54627424f * (t8 + t8);
+  float t10 = radiance[6].x * t4 + radiance[5].x * t6 + radiance[7].x * t7 + radiance[4].x * t9;
+  float t11 = 0.54627424f * (normal.x * normal.x - normal.y * normal.y);
+  float t12 = (radiance[2].y * t0 + radiance[1].y * t1 + radiance[3].y * t2) * 0.6666667f;
+  float t13 = radiance[6].y * t4 + radiance[5].y * t6 + radiance[7].y * t7 + radiance[4].y * t9;
+  float t14 = (radiance[2].z * t0 + radiance[1].z * t1 + radiance[3].z * t2) * 0.6666667f;
+  float t15 = radiance[6].z * t4 + radiance[5].z * t6 + radiance[7].z * t7 + radiance[4].z * t9;
+  vec3 value = vec3(radiance[0].x * 0.2820948f + t3 + (t10 + radiance[8].x * t11) * 0.25f,
+      radiance[0].y * 0.2820948f + t12 + (t13 + radiance[8].y * t11) * 0.25f,
+      radiance[0].z * 0.2820948f + t14 + (t15 + radiance[8].z * t11) * 0.25f);
+  return value;
+}
+#endif
+
+#ifndef ZONAL_RECONSTRUCT_LAMBERT_COLOUR_5
+#define ZONAL_RECONSTRUCT_LAMBERT_COLOUR_5
+// Radiance convolved with the clamped cosine: irradiance over pi at a normal. For colours.
+// 163 operations: 62 additions, 101 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+vec3 zonal_reconstruct_lambert_colour_5(in vec3 radiance[25], vec3 normal) {
+  float t0 = normal.z * normal.z;
+  float t1 = 0.9461747f * t0 + -0.31539157f;
+  float t2 = 1.9843135f * normal.z * (normal.z * (1.8658817f * t0 + -1.119529f)) - 1.0062306f * t1;
+  float t3 = normal.z * (-4.683326f * t0 + 2.0071397f);
+  float t4 = t3 * normal.y;
+  float t5 = t3 * normal.x;
+  float t6 = 3.3116114f * t0 + -0.47308734f;
+  float t7 = normal.y * normal.x;
+  float t8 = t7 + t7;
+  float t9 = t6 * t8;
+  float t10 = radiance[20].x * t2 + radiance[19].x * t4 + radiance[21].x * t5 + radiance[18].x * t9;
+  float t11 = normal.x * normal.x - normal.y * normal.y;
+  float t12 = t6 * t11;
+  float t13 = -1.7701308f * normal.z;
+  float t14 = normal.x * t8 + normal.y * t11;
+  float t15 = t13 * t14;
+  float t16 = normal.x * t11 - normal.y * t8;
+  float t17 = t13 * t16;
+  float t18 = t10 + radiance[22].x * t12 + radiance[17].x * t15 + radiance[23].x * t17;
+  float t19 = 0.6258357f * (normal.x * t14 + normal.y * t16);
+  float t20 = 0.6258357f * (normal.x * t16 - normal.y * t14);
+  float t21 = radiance[0].x * 0.2820948f + (t18 + radiance[16].x * t19 + radiance[24].x * t20) * -0.041666668f;
+  float t22 = 0.48860252f * normal.z;
+  float t23 = -0.48860252f * normal.y;
+  float t24 = -0.48860252f * normal.x;
+  float t25 = (radiance[2].x * t22 + radiance[1].x * t23 + radiance[3].x * t24) * 0.6666667f;
+  float t26 = -1.0925485f * normal.z;
+  float t27 = t26 * normal.y;
+  float t28 = t26 * normal.x;
+  float t29 = 0.54627424f * t8;
+  float t30 = radiance[6].x * t1 + radiance[5].x * t27 + radiance[7].x * t28 + radiance[4].x * t29;
+  float t31 = 0.54627424f * t11;
+  float t32 = radiance[20].y * t2 + radiance[19].y * t4 + radiance[21].y * t5 + radiance[18].y * t9;
+  float t33 = t32 + radiance[22].y * t12 + radiance[17].y * t15 + radiance[23].y * t17;
+  float t34 = radiance[0].y * 0.2820948f + (t33 + radiance[16].y * t19 + radiance[24].y * t20) * -0.041666668f;
+  float t35 = (radiance[2].y * t22 + radiance[1].y * t23 + radiance[3].y * t24) * 0.6666667f;
+  float t36 = radiance[6].y * t1 + radiance[5].y * t27 + radiance[7].y * t28 + radiance[4].y * t29;
+  float t37 = radiance[20].z * t2 + radiance[19].z * t4 + radiance[21].z * t5 + radiance[18].z * t9;
+  float t38 = t37 + radiance[22].z * t12 + radiance[17].z * t15 + radiance[23].z * t17;
+  float t39 = radiance[0].z * 0.2820948f + (t38 + radiance[16].z * t19 + radiance[24].z * t20) * -0.041666668f;
+  float t40 = (radiance[2].z * t22 + radiance[1].z * t23 + radiance[3].z * t24) * 0.6666667f;
+  float t41 = radiance[6].z * t1 + radiance[5].z * t27 + radiance[7].z * t28 + radiance[4].z * t29;
+  vec3 value = vec3(t21 + t25 + (t30 + radiance[8].x * t31) * 0.25f,
+      t34 + t35 + (t36 + radiance[8].y * t31) * 0.25f,
+      t39 + t40 + (t41 + radiance[8].z * t31) * 0.25f);
+  return value;
+}
+#endif
+
+#ifndef ZONAL_ORIENT_2
+#define ZONAL_ORIENT_2
+// A zonal lobe turned to an axis, a unit vector.
+// 9 operations: 0 additions, 9 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_orient_2(in float zh[2], vec3 axis, out float sh[4]) {
+  sh[0] = 3.5449078f * zh[0] * 0.2820948f;
+  float t0 = 2.0466535f * zh[1];
+  sh[1] = t0 * (-0.48860252f * axis.y);
+  sh[2] = t0 * (0.48860252f * axis.z);
+  sh[3] = t0 * (-0.48860252f * axis.x);
+}
+#endif
+
+#ifndef ZONAL_ORIENT_3
+#define ZONAL_ORIENT_3
+// A zonal lobe turned to an axis, a unit vector.
+// 28 operations: 3 additions, 25 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_orient_3(in float zh[3], vec3 axis, out float sh[9]) {
+  sh[0] = 3.5449078f * zh[0] * 0.2820948f;
+  float t0 = 2.0466535f * zh[1];
+  sh[1] = t0 * (-0.48860252f * axis.y);
+  sh[2] = t0 * (0.48860252f * axis.z);
+  sh[3] = t0 * (-0.48860252f * axis.x);
+  float t1 = 1.585331f * zh[2];
+  float t2 = axis.y * axis.x;
+  sh[4] = t1 * (0.54627424f * (t2 + t2));
+  float t3 = -1.0925485f * axis.z;
+  sh[5] = t1 * (t3 * axis.y);
+  sh[6] = t1 * (0.9461747f * (axis.z * axis.z) + -0.31539157f);
+  sh[7] = t1 * (t3 * axis.x);
+  sh[8] = t1 * (0.54627424f * (axis.x * axis.x - axis.y * axis.y));
+}
+#endif
+
+#ifndef ZONAL_ORIENT_4
+#define ZONAL_ORIENT_4
+// A zonal lobe turned to an axis, a unit vector.
+// 54 operations: 7 additions, 47 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_orient_4(in float zh[4], vec3 axis, out float sh[16]) {
+  sh[0] = 3.5449078f * zh[0] * 0.2820948f;
+  float t0 = 2.0466535f * zh[1];
+  sh[1] = t0 * (-0.48860252f * axis.y);
+  sh[2] = t0 * (0.48860252f * axis.z);
+  sh[3] = t0 * (-0.48860252f * axis.x);
+  float t1 = 1.585331f * zh[2];
+  float t2 = axis.y * axis.x;
+  float t3 = t2 + t2;
+  sh[4] = t1 * (0.54627424f * t3);
+  float t4 = -1.0925485f * axis.z;
+  sh[5] = t1 * (t4 * axis.y);
+  float t5 = axis.z * axis.z;
+  sh[6] = t1 * (0.9461747f * t5 + -0.31539157f);
+  sh[7] = t1 * (t4 * axis.x);
+  float t6 = axis.x * axis.x - axis.y * axis.y;
+  sh[8] = t1 * (0.54627424f * t6);
+  float t7 = 1.3398491f * zh[3];
+  sh[9] = t7 * (-0.5900436f * (axis.x * t3 + axis.y * t6));
+  float t8 = 1.4453057f * axis.z;
+  sh[10] = t7 * (t8 * t3);
+  float t9 = -2.285229f * t5 + 0.4570458f;
+  sh[11] = t7 * (t9 * axis.y);
+  sh[12] = t7 * (axis.z * (1.8658817f * t5 + -1.119529f));
+  sh[13] = t7 * (t9 * axis.x);
+  sh[14] = t7 * (t8 * t6);
+  sh[15] = t7 * (-0.5900436f * (axis.x * t6 - axis.y * t3));
+}
+#endif
+
+#ifndef ZONAL_ORIENT_5
+#define ZONAL_ORIENT_5
+// A zonal lobe turned to an axis, a unit vector.
+// 88 operations: 12 additions, 76 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_orient_5(in float zh[5], vec3 axis, out float sh[25]) {
+  sh[0] = 3.5449078f * zh[0] * 0.2820948f;
+  float t0 = 2.0466535f * zh[1];
+  sh[1] = t0 * (-0.48860252f * axis.y);
+  sh[2] = t0 * (0.48860252f * axis.z);
+  sh[3] = t0 * (-0.48860252f * axis.x);
+  float t1 = 1.585331f * zh[2];
+  float t2 = axis.y * axis.x;
+  float t3 = t2 + t2;
+  sh[4] = t1 * (0.54627424f * t3);
+  float t4 = -1.0925485f * axis.z;
+  sh[5] = t1 * (t4 * axis.y);
+  float t5 = axis.z * axis.z;
+  float t6 = 0.9461747f * t5 + -0.31539157f;
+  sh[6] = t1 * t6;
+  sh[7] = t1 * (t4 * axis.x);
+  float t7 = axis.x * axis.x - axis.y * axis.y;
+  sh[8] = t1 * (0.54627424f * t7);
+  float t8 = 1.3398491f * zh[3];
+  float t9 = axis.x * t3 + axis.y * t7;
+  sh[9] = t8 * (-0.5900436f * t9);
+  float t10 = 1.4453057f * axis.z;
+  sh[10] = t8 * (t10 * t3);
+  float t11 = -2.285229f * t5 + 0.4570458f;
+  sh[11] = t8 * (t11 * axis.y);
+  float t12 = axis.z * (1.8658817f * t5 + -1.119529f);
+  sh[12] = t8 * t12;
+  sh[13] = t8 * (t11 * axis.x);
+  sh[14] = t8 * (t10 * t7);
+  float t13 = axis.x * t7 - axis.y * t3;
+  sh[15] = t8 * (-0.5900436f * t13);
+  float t14 = 1.1816359f * zh[4];
+  sh[16] = t14 * (0.6258357f * (axis.x * t9 + axis.y * t13));
+  float t15 = -1.7701308f * axis.z;
+  sh[17] = t14 * (t15 * t9);
+  float t16 = 3.3116114f * t5 + -0.47308734f;
+  sh[18] = t14 * (t16 * t3);
+  float t17 = axis.z * (-4.683326f * t5 + 2.0071397f);
+  sh[19] = t14 * (t17 * axis.y);
+  sh[20] = t14 * (1.9843135f * axis.z * t12 - 1.0062306f * t6);
+  sh[21] = t14 * (t17 * axis.x);
+  sh[22] = t14 * (t16 * t7);
+  sh[23] = t14 * (t15 * t13);
+  sh[24] = t14 * (0.6258357f * (axis.x * t13 - axis.y * t9));
+}
+#endif
+
+#ifndef ZONAL_ORIENT_COLOUR_2
+#define ZONAL_ORIENT_COLOUR_2
+// A zonal lobe turned to an axis, a unit vector. For colours.
+// 21 operations: 0 additions, 21 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_orient_colour_2(in vec3 zh[2], vec3 axis, out vec3 sh[4]) {
+  sh[0].x = 3.5449078f * zh[0].x * 0.2820948f;
+  sh[0].y = 3.5449078f * zh[0].y * 0.2820948f;
+  sh[0].z = 3.5449078f * zh[0].z * 0.2820948f;
+  float t0 = 2.0466535f * zh[1].x;
+  float t1 = -0.48860252f * axis.y;
+  sh[1].x = t0 * t1;
+  float t2 = 2.0466535f * zh[1].y;
+  sh[1].y = t2 * t1;
+  float t3 = 2.0466535f * zh[1].z;
+  sh[1].z = t3 * t1;
+  float t4 = 0.48860252f * axis.z;
+  sh[2].x = t0 * t4;
+  sh[2].y = t2 * t4;
+  sh[2].z = t3 * t4;
+  float t5 = -0.48860252f * axis.x;
+  sh[3].x = t0 * t5;
+  sh[3].y = t2 * t5;
+  sh[3].z = t3 * t5;
+}
+#endif
+
+#ifndef ZONAL_ORIENT_COLOUR_3
+#define ZONAL_ORIENT_COLOUR_3
+// A zonal lobe turned to an axis, a unit vector. For colours.
+// 52 operations: 3 additions, 49 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_orient_colour_3(in vec3 zh[3], vec3 axis, out vec3 sh[9]) {
+  sh[0].x = 3.5449078f * zh[0].x * 0.2820948f;
+  sh[0].y = 3.5449078f * zh[0].y * 0.2820948f;
+  sh[0].z = 3.5449078f * zh[0].z * 0.2820948f;
+  float t0 = 2.0466535f * zh[1].x;
+  float t1 = -0.48860252f * axis.y;
+  sh[1].x = t0 * t1;
+  float t2 = 2.0466535f * zh[1].y;
+  sh[1].y = t2 * t1;
+  float t3 = 2.0466535f * zh[1].z;
+  sh[1].z = t3 * t1;
+  float t4 = 0.48860252f * axis.z;
+  sh[2].x = t0 * t4;
+  sh[2].y = t2 * t4;
+  sh[2].z = t3 * t4;
+  float t5 = -0.48860252f * axis.x;
+  sh[3].x = t0 * t5;
+  sh[3].y = t2 * t5;
+  sh[3].z = t3 * t5;
+  float t6 = 1.585331f * zh[2].x;
+  float t7 = axis.y * axis.x;
+  float t8 = 0.54627424f * (t7 + t7);
+  sh[4].x = t6 * t8;
+  float t9 = 1.585331f * zh[2].y;
+  sh[4].y = t9 * t8;
+  float t10 = 1.585331f * zh[2].z;
+  sh[4].z = t10 * t8;
+  float t11 = -1.0925485f * axis.z;
+  float t12 = t11 * axis.y;
+  sh[5].x = t6 * t12;
+  sh[5].y = t9 * t12;
+  sh[5].z = t10 * t12;
+  float t13 = 0.9461747f * (axis.z * axis.z) + -0.31539157f;
+  sh[6].x = t6 * t13;
+  sh[6].y = t9 * t13;
+  sh[6].z = t10 * t13;
+  float t14 = t11 * axis.x;
+  sh[7].x = t6 * t14;
+  sh[7].y = t9 * t14;
+  sh[7].z = t10 * t14;
+  float t15 = 0.54627424f * (axis.x * axis.x - axis.y * axis.y);
+  sh[8].x = t6 * t15;
+  sh[8].y = t9 * t15;
+  sh[8].z = t10 * t15;
+}
+#endif
+
+#ifndef ZONAL_ORIENT_COLOUR_4
+#define ZONAL_ORIENT_COLOUR_4
+// A zonal lobe turned to an axis, a unit vector. For colours.
+// 94 operations: 7 additions, 87 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_orient_colour_4(in vec3 zh[4], vec3 axis, out vec3 sh[16]) {
+  sh[0].x = 3.5449078f * zh[0].x * 0.2820948f;
+  sh[0].y = 3.5449078f * zh[0].y * 0.2820948f;
+  sh[0].z = 3.5449078f * zh[0].z * 0.2820948f;
+  float t0 = 2.0466535f * zh[1].x;
+  float t1 = -0.48860252f * axis.y;
+  sh[1].x = t0 * t1;
+  float t2 = 2.0466535f * zh[1].y;
+  sh[1].y = t2 * t1;
+  float t3 = 2.0466535f * zh[1].z;
+  sh[1].z = t3 * t1;
+  float t4 = 0.48860252f * axis.z;
+  sh[2].x = t0 * t4;
+  sh[2].y = t2 * t4;
+  sh[2].z = t3 * t4;
+  float t5 = -0.48860252f * axis.x;
+  sh[3].x = t0 * t5;
+  sh[3].y = t2 * t5;
+  sh[3].z = t3 * t5;
+  float t6 = 1.585331f * zh[2].x;
+  float t7 = axis.y * axis.x;
+  float t8 = t7 + t7;
+  float t9 = 0.54627424f * t8;
+  sh[4].x = t6 * t9;
+  float t10 = 1.585331f * zh[2].y;
+  sh[4].y = t10 * t9;
+  float t11 = 1.585331f * zh[2].z;
+  sh[4].z = t11 * t9;
+  float t12 = -1.0925485f * axis.z;
+  float t13 = t12 * axis.y;
+  sh[5].x = t6 * t13;
+  sh[5].y = t10 * t13;
+  sh[5].z = t11 * t13;
+  float t14 = axis.z * axis.z;
+  float t15 = 0.9461747f * t14 + -0.31539157f;
+  sh[6].x = t6 * t15;
+  sh[6].y = t10 * t15;
+  sh[6].z = t11 * t15;
+  float t16 = t12 * axis.x;
+  sh[7].x = t6 * t16;
+  sh[7].y = t10 * t16;
+  sh[7].z = t11 * t16;
+  float t17 = axis.x * axis.x - axis.y * axis.y;
+  float t18 = 0.54627424f * t17;
+  sh[8].x = t6 * t18;
+  sh[8].y = t10 * t18;
+  sh[8].z = t11 * t18;
+  float t19 = 1.3398491f * zh[3].x;
+  float t20 = -0.5900436f * (axis.x * t8 + axis.y * t17);
+  sh[9].x = t19 * t20;
+  float t21 = 1.3398491f * zh[3].y;
+  sh[9].y = t21 * t20;
+  float t22 = 1.3398491f * zh[3].z;
+  sh[9].z = t22 * t20;
+  float t23 = 1.4453057f * axis.z;
+  float t24 = t23 * t8;
+  sh[10].x = t19 * t24;
+  sh[10].y = t21 * t24;
+  sh[10].z = t22 * t24;
+  float t25 = -2.285229f * t14 + 0.4570458f;
+  float t26 = t25 * axis.y;
+  sh[11].x = t19 * t26;
+  sh[11].y = t21 * t26;
+  sh[11].z = t22 * t26;
+  float t27 = axis.z * (1.8658817f * t14 + -1.119529f);
+  sh[12].x = t19 * t27;
+  sh[12].y = t21 * t27;
+  sh[12].z = t22 * t27;
+  float t28 = t25 * axis.x;
+  sh[13].x = t19 * t28;
+  sh[13].y = t21 * t28;
+  sh[13].z = t22 * t28;
+  float t29 = t23 * t17;
+  sh[14].x = t19 * t29;
+  sh[14].y = t21 * t29;
+  sh[14].z = t22 * t29;
+  float t30 = -0.5900436f * (axis.x * t17 - axis.y * t8);
+  sh[15].x = t19 * t30;
+  sh[15].y = t21 * t30;
+  sh[15].z = t22 * t30;
+}
+#endif
+
+#ifndef ZONAL_ORIENT_COLOUR_5
+#define ZONAL_ORIENT_COLOUR_5
+// A zonal lobe turned to an axis, a unit vector. For colours.
+// 148 operations: 12 additions, 136 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_orient_colour_5(in vec3 zh[5], vec3 axis, out vec3 sh[25]) {
+  sh[0].x = 3.5449078f * zh[0].x * 0.2820948f;
+  sh[0].y = 3.5449078f * zh[0].y * 0.2820948f;
+  sh[0].z = 3.5449078f * zh[0].z * 0.2820948f;
+  float t0 = 2.0466535f * zh[1].x;
+  float t1 = -0.48860252f * axis.y;
+  sh[1].x = t0 * t1;
+  float t2 = 2.0466535f * zh[1].y;
+  sh[1].y = t2 * t1;
+  float t3 = 2.0466535f * zh[1].z;
+  sh[1].z = t3 * t1;
+  float t4 = 0.48860252f * axis.z;
+  sh[2].x = t0 * t4;
+  sh[2].y = t2 * t4;
+  sh[2].z = t3 * t4;
+  float t5 = -0.48860252f * axis.x;
+  sh[3].x = t0 * t5;
+  sh[3].y = t2 * t5;
+  sh[3].z = t3 * t5;
+  float t6 = 1.585331f * zh[2].x;
+  float t7 = axis.y * axis.x;
+  float t8 = t7 + t7;
+  float t9 = 0.54627424f * t8;
+  sh[4].x = t6 * t9;
+  float t10 = 1.585331f * zh[2].y;
+  sh[4].y = t10 * t9;
+  float t11 = 1.585331f * zh[2].z;
+  sh[4].z = t11 * t9;
+  float t12 = -1.0925485f * axis.z;
+  float t13 = t12 * axis.y;
+  sh[5].x = t6 * t13;
+  sh[5].y = t10 * t13;
+  sh[5].z = t11 * t13;
+  float t14 = axis.z * axis.z;
+  float t15 = 0.9461747f * t14 + -0.31539157f;
+  sh[6].x = t6 * t15;
+  sh[6].y = t10 * t15;
+  sh[6].z = t11 * t15;
+  float t16 = t12 * axis.x;
+  sh[7].x = t6 * t16;
+  sh[7].y = t10 * t16;
+  sh[7].z = t11 * t16;
+  float t17 = axis.x * axis.x - axis.y * axis.y;
+  float t18 = 0.54627424f * t17;
+  sh[8].x = t6 * t18;
+  sh[8].y = t10 * t18;
+  sh[8].z = t11 * t18;
+  float t19 = 1.3398491f * zh[3].x;
+  float t20 = axis.x * t8 + axis.y * t17;
+  float t21 = -0.5900436f * t20;
+  sh[9].x = t19 * t21;
+  float t22 = 1.3398491f * zh[3].y;
+  sh[9].y = t22 * t21;
+  float t23 = 1.3398491f * zh[3].z;
+  sh[9].z = t23 * t21;
+  float t24 = 1.4453057f * axis.z;
+  float t25 = t24 * t8;
+  sh[10].x = t19 * t25;
+  sh[10].y = t22 * t25;
+  sh[10].z = t23 * t25;
+  float t26 = -2.285229f * t14 + 0.4570458f;
+  float t27 = t26 * axis.y;
+  sh[11].x = t19 * t27;
+  sh[11].y = t22 * t27;
+  sh[11].z = t23 * t27;
+  float t28 = axis.z * (1.8658817f * t14 + -1.119529f);
+  sh[12].x = t19 * t28;
+  sh[12].y = t22 * t28;
+  sh[12].z = t23 * t28;
+  float t29 = t26 * axis.x;
+  sh[13].x = t19 * t29;
+  sh[13].y = t22 * t29;
+  sh[13].z = t23 * t29;
+  float t30 = t24 * t17;
+  sh[14].x = t19 * t30;
+  sh[14].y = t22 * t30;
+  sh[14].z = t23 * t30;
+  float t31 = axis.x * t17 - axis.y * t8;
+  float t32 = -0.5900436f * t31;
+  sh[15].x = t19 * t32;
+  sh[15].y = t22 * t32;
+  sh[15].z = t23 * t32;
+  float t33 = 1.1816359f * zh[4].x;
+  float t34 = 0.6258357f * (axis.x * t20 + axis.y * t31);
+  sh[16].x = t33 * t34;
+  float t35 = 1.1816359f * zh[4].y;
+  sh[16].y = t35 * t34;
+  float t36 = 1.1816359f * zh[4].z;
+  sh[16].z = t36 * t34;
+  float t37 = -1.7701308f * axis.z;
+  float t38 = t37 * t20;
+  sh[17].x = t33 * t38;
+  sh[17].y = t35 * t38;
+  sh[17].z = t36 * t38;
+  float t39 = 3.3116114f * t14 + -0.47308734f;
+  float t40 = t39 * t8;
+  sh[18].x = t33 * t40;
+  sh[18].y = t35 * t40;
+  sh[18].z = t36 * t40;
+  float t41 = axis.z * (-4.683326f * t14 + 2.0071397f);
+  float t42 = t41 * axis.y;
+  sh[19].x = t33 * t42;
+  sh[19].y = t35 * t42;
+  sh[19].z = t36 * t42;
+  float t43 = 1.9843135f * axis.z * t28 - 1.0062306f * t15;
+  sh[20].x = t33 * t43;
+  sh[20].y = t35 * t43;
+  sh[20].z = t36 * t43;
+  float t44 = t41 * axis.x;
+  sh[21].x = t33 * t44;
+  sh[21].y = t35 * t44;
+  sh[21].z = t36 * t44;
+  float t45 = t39 * t17;
+  sh[22].x = t33 * t45;
+  sh[22].y = t35 * t45;
+  sh[22].z = t36 * t45;
+  float t46 = t37 * t31;
+  sh[23].x = t33 * t46;
+  sh[23].y = t35 * t46;
+  sh[23].z = t36 * t46;
+  float t47 = 0.6258357f * (axis.x * t31 - axis.y * t20);
+  sh[24].x = t33 * t47;
+  sh[24].y = t35 * t47;
+  sh[24].z = t36 * t47;
+}
+#endif
+
+#ifndef ZONAL_DOT_2
+#define ZONAL_DOT_2
+// The integral of a product: the sum of the products of coefficients.
+// 7 operations: 3 additions, 4 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+float zonal_dot_2(in float a[4], in float b[4]) {
+  float value = a[0] * b[0] + a[1] * b[1] + (a[2] * b[2] + a[3] * b[3]);
+  return value;
+}
+#endif
+
+#ifndef ZONAL_DOT_3
+#define ZONAL_DOT_3
+// The integral of a product: the sum of the products of coefficients.
+// 17 operations: 8 additions, 9 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+float zonal_dot_3(in float a[9], in float b[9]) {
+  float t0 = a[0] * b[0] + a[4] * b[4] + a[8] * b[8] + (a[1] * b[1] + a[5] * b[5]) + (a[2] * b[2] + a[6] * b[6] + (a[3] * b[3] + a[7] * b[7]));
+  float value = t0;
+  return value;
+}
+#endif
+
+#ifndef ZONAL_DOT_4
+#define ZONAL_DOT_4
+// The integral of a product: the sum of the products of coefficients.
+// 31 operations: 15 additions, 16 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+float zonal_dot_4(in float a[16], in float b[16]) {
+  float t0 = a[0] * b[0] + a[4] * b[4] + a[8] * b[8] + a[12] * b[12] + (a[1] * b[1] + a[5] * b[5] + a[9] * b[9] + a[13] * b[13]);
+  float t1 = a[2] * b[2] + a[6] * b[6] + a[10] * b[10] + a[14] * b[14] + (a[3] * b[3] + a[7] * b[7] + a[11] * b[11] + a[15] * b[15]);
+  float value = t0 + t1;
+  return value;
+}
+#endif
+
+#ifndef ZONAL_DOT_5
+#define ZONAL_DOT_5
+// The integral of a product: the sum of the products of coefficients.
+// 49 operations: 24 additions, 25 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+float zonal_dot_5(in float a[25], in float b[25]) {
+  float t0 = a[0] * b[0] + a[4] * b[4] + a[8] * b[8] + a[12] * b[12] + a[16] * b[16] + a[20] * b[20];
+  float t1 = a[1] * b[1] + a[5] * b[5] + a[9] * b[9] + a[13] * b[13] + a[17] * b[17] + a[21] * b[21];
+  float t2 = a[2] * b[2] + a[6] * b[6] + a[10] * b[10] + a[14] * b[14] + a[18] * b[18];
+  float t3 = a[3] * b[3] + a[7] * b[7] + a[11] * b[11] + a[15] * b[15] + a[19] * b[19];
+  float value = t0 + a[24] * b[24] + t1 + (t2 + a[22] * b[22] + (t3 + a[23] * b[23]));
+  return value;
+}
+#endif
+
+#ifndef ZONAL_DOT_COLOUR_2
+#define ZONAL_DOT_COLOUR_2
+// The integral of a product: the sum of the products of coefficients. For colours.
+// 21 operations: 9 additions, 12 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+vec3 zonal_dot_colour_2(in vec3 a[4], in float b[4]) {
+  vec3 value = vec3(a[0].x * b[0] + a[1].x * b[1] + (a[2].x * b[2] + a[3].x * b[3]),
+      a[0].y * b[0] + a[1].y * b[1] + (a[2].y * b[2] + a[3].y * b[3]),
+      a[0].z * b[0] + a[1].z * b[1] + (a[2].z * b[2] + a[3].z * b[3]));
+  return value;
+}
+#endif
+
+#ifndef ZONAL_DOT_COLOUR_3
+#define ZONAL_DOT_COLOUR_3
+// The integral of a product: the sum of the products of coefficients. For colours.
+// 51 operations: 24 additions, 27 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+vec3 zonal_dot_colour_3(in vec3 a[9], in float b[9]) {
+  float t0 = a[0].x * b[0] + a[4].x * b[4] + a[8].x * b[8] + (a[1].x * b[1] + a[5].x * b[5]);
+  float t1 = a[0].y * b[0] + a[4].y * b[4] + a[8].y * b[8] + (a[1].y * b[1] + a[5].y * b[5]);
+  float t2 = a[0].z * b[0] + a[4].z * b[4] + a[8].z * b[8] + (a[1].z * b[1] + a[5].z * b[5]);
+  vec3 value = vec3(t0 + (a[2].x * b[2] + a[6].x * b[6] + (a[3].x * b[3] + a[7].x * b[7])),
+      t1 + (a[2].y * b[2] + a[6].y * b[6] + (a[3].y * b[3] + a[7].y * b[7])),
+      t2 + (a[2].z * b[2] + a[6].z * b[6] + (a[3].z * b[3] + a[7].z * b[7])));
+  return value;
+}
+#endif
+
+#ifndef ZONAL_DOT_COLOUR_4
+#define ZONAL_DOT_COLOUR_4
+// The integral of a product: the sum of the products of coefficients. For colours.
+// 93 operations: 45 additions, 48 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+vec3 zonal_dot_colour_4(in vec3 a[16], in float b[16]) {
+  float t0 = a[0].x * b[0] + a[4].x * b[4] + a[8].x * b[8] + a[12].x * b[12] + (a[1].x * b[1] + a[5].x * b[5] + a[9].x * b[9] + a[13].x * b[13]);
+  float t1 = a[2].x * b[2] + a[6].x * b[6] + a[10].x * b[10] + a[14].x * b[14] + (a[3].x * b[3] + a[7].x * b[7] + a[11].x * b[11] + a[15].x * b[15]);
+  float t2 = a[0].y * b[0] + a[4].y * b[4] + a[8].y * b[8] + a[12].y * b[12] + (a[1].y * b[1] + a[5].y * b[5] + a[9].y * b[9] + a[13].y * b[13]);
+  float t3 = a[2].y * b[2] + a[6].y * b[6] + a[10].y * b[10] + a[14].y * b[14] + (a[3].y * b[3] + a[7].y * b[7] + a[11].y * b[11] + a[15].y * b[15]);
+  float t4 = a[0].z * b[0] + a[4].z * b[4] + a[8].z * b[8] + a[12].z * b[12] + (a[1].z * b[1] + a[5].z * b[5] + a[9].z * b[9] + a[13].z * b[13]);
+  float t5 = a[2].z * b[2] + a[6].z * b[6] + a[10].z * b[10] + a[14].z * b[14] + (a[3].z * b[3] + a[7].z * b[7] + a[11].z * b[11] + a[15].z * b[15]);
+  vec3 value = vec3(t0 + t1, t2 + t3, t4 + t5);
+  return value;
+}
+#endif
+
+#ifndef ZONAL_DOT_COLOUR_5
+#define ZONAL_DOT_COLOUR_5
+// The integral of a product: the sum of the products of coefficients. For colours.
+// 147 operations: 72 additions, 75 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+vec3 zonal_dot_colour_5(in vec3 a[25], in float b[25]) {
+  float t0 = a[0].x * b[0] + a[4].x * b[4] + a[8].x * b[8] + a[12].x * b[12] + a[16].x * b[16];
+  float t1 = a[1].x * b[1] + a[5].x * b[5] + a[9].x * b[9] + a[13].x * b[13] + a[17].x * b[17];
+  float t2 = a[2].x * b[2] + a[6].x * b[6] + a[10].x * b[10] + a[14].x * b[14] + a[18].x * b[18];
+  float t3 = a[3].x * b[3] + a[7].x * b[7] + a[11].x * b[11] + a[15].x * b[15] + a[19].x * b[19];
+  float t4 = t0 + a[20].x * b[20] + a[24].x * b[24] + (t1 + a[21].x * b[21]) + (t2 + a[22].x * b[22] + (t3 + a[23].x * b[23]));
+  float t5 = a[0].y * b[0] + a[4].y * b[4] + a[8].y * b[8] + a[12].y * b[12] + a[16].y * b[16];
+  float t6 = a[1].y * b[1] + a[5].y * b[5] + a[9].y * b[9] + a[13].y * b[13] + a[17].y * b[17];
+  float t7 = a[2].y * b[2] + a[6].y * b[6] + a[10].y * b[10] + a[14].y * b[14] + a[18].y * b[18];
+  float t8 = a[3].y * b[3] + a[7].y * b[7] + a[11].y * b[11] + a[15].y * b[15] + a[19].y * b[19];
+  float t9 = t5 + a[20].y * b[20] + a[24].y * b[24] + (t6 + a[21].y * b[21]) + (t7 + a[22].y * b[22] + (t8 + a[23].y * b[23]));
+  float t10 = a[0].z * b[0] + a[4].z * b[4] + a[8].z * b[8] + a[12].z * b[12] + a[16].z * b[16];
+  float t11 = a[1].z * b[1] + a[5].z * b[5] + a[9].z * b[9] + a[13].z * b[13] + a[17].z * b[17];
+  float t12 = a[2].z * b[2] + a[6].z * b[6] + a[10].z * b[10] + a[14].z * b[14] + a[18].z * b[18];
+  float t13 = a[3].z * b[3] + a[7].z * b[7] + a[11].z * b[11] + a[15].z * b[15] + a[19].z * b[19];
+  float t14 = t10 + a[20].z * b[20] + a[24].z * b[24] + (t11 + a[21].z * b[21]) + (t12 + a[22].z * b[22] + (t13 + a[23].z * b[23]));
+  vec3 value = vec3(t4, t9, t14);
+  return value;
+}
+#endif
+
+#ifndef ZONAL_DOT_COLOURS_2
+#define ZONAL_DOT_COLOURS_2
+// The integral of a product: the sum of the products of coefficients. For colours by colours.
+// 21 operations: 9 additions, 12 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+vec3 zonal_dot_colours_2(in vec3 a[4], in vec3 b[4]) {
+  vec3 value = vec3(a[0].x * b[0].x + a[1].x * b[1].x + (a[2].x * b[2].x + a[3].x * b[3].x),
+      a[0].y * b[0].y + a[1].y * b[1].y + (a[2].y * b[2].y + a[3].y * b[3].y),
+      a[0].z * b[0].z + a[1].z * b[1].z + (a[2].z * b[2].z + a[3].z * b[3].z));
+  return value;
+}
+#endif
+
+#ifndef ZONAL_DOT_COLOURS_3
+#define ZONAL_DOT_COLOURS_3
+// The integral of a product: the sum of the products of coefficients. For colours by colours.
+// 51 operations: 24 additions, 27 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+vec3 zonal_dot_colours_3(in vec3 a[9], in vec3 b[9]) {
+  float t0 = a[0].x * b[0].x + a[4].x * b[4].x + a[8].x * b[8].x + (a[1].x * b[1].x + a[5].x * b[5].x);
+  float t1 = t0 + (a[2].x * b[2].x + a[6].x * b[6].x + (a[3].x * b[3].x + a[7].x * b[7].x));
+  float t2 = a[0].y * b[0].y + a[4].y * b[4].y + a[8].y * b[8].y + (a[1].y * b[1].y + a[5].y * b[5].y);
+  float t3 = t2 + (a[2].y * b[2].y + a[6].y * b[6].y + (a[3].y * b[3].y + a[7].y * b[7].y));
+  float t4 = a[0].z * b[0].z + a[4].z * b[4].z + a[8].z * b[8].z + (a[1].z * b[1].z + a[5].z * b[5].z);
+  float t5 = t4 + (a[2].z * b[2].z + a[6].z * b[6].z + (a[3].z * b[3].z + a[7].z * b[7].z));
+  vec3 value = vec3(t1, t3, t5);
+  return value;
+}
+#endif
+
+#ifndef ZONAL_DOT_COLOURS_4
+#define ZONAL_DOT_COLOURS_4
+// The integral of a product: the sum of the products of coefficients. For colours by colours.
+// 93 operations: 45 additions, 48 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+vec3 zonal_dot_colours_4(in vec3 a[16], in vec3 b[16]) {
+  float t0 = a[0].x * b[0].x + a[4].x * b[4].x + a[8].x * b[8].x + a[12].x * b[12].x + (a[1].x * b[1].x + a[5].x * b[5].x + a[9].x * b[9].x + a[13].x * b[13].x);
+  float t1 = a[2].x * b[2].x + a[6].x * b[6].x + a[10].x * b[10].x + a[14].x * b[14].x;
+  float t2 = a[3].x * b[3].x + a[7].x * b[7].x + a[11].x * b[11].x + a[15].x * b[15].x;
+  float t3 = a[0].y * b[0].y + a[4].y * b[4].y + a[8].y * b[8].y + a[12].y * b[12].y + (a[1].y * b[1].y + a[5].y * b[5].y + a[9].y * b[9].y + a[13].y * b[13].y);
+  float t4 = a[2].y * b[2].y + a[6].y * b[6].y + a[10].y * b[10].y + a[14].y * b[14].y;
+  float t5 = a[3].y * b[3].y + a[7].y * b[7].y + a[11].y * b[11].y + a[15].y * b[15].y;
+  float t6 = a[0].z * b[0].z + a[4].z * b[4].z + a[8].z * b[8].z + a[12].z * b[12].z + (a[1].z * b[1].z + a[5].z * b[5].z + a[9].z * b[9].z + a[13].z * b[13].z);
+  float t7 = a[2].z * b[2].z + a[6].z * b[6].z + a[10].z * b[10].z + a[14].z * b[14].z;
+  float t8 = a[3].z * b[3].z + a[7].z * b[7].z + a[11].z * b[11].z + a[15].z * b[15].z;
+  vec3 value = vec3(t0 + (t1 + t2), t3 + (t4 + t5), t6 + (t7 + t8));
+  return value;
+}
+#endif
+
+#ifndef ZONAL_DOT_COLOURS_5
+#define ZONAL_DOT_COLOURS_5
+// The integral of a product: the sum of the products of coefficients. For colours by colours.
+// 147 operations: 72 additions, 75 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+vec3 zonal_dot_colours_5(in vec3 a[25], in vec3 b[25]) {
+  float t0 = a[0].x * b[0].x + a[4].x * b[4].x + a[8].x * b[8].x + a[12].x * b[12].x + a[16].x * b[16].x;
+  float t1 = a[1].x * b[1].x + a[5].x * b[5].x + a[9].x * b[9].x + a[13].x * b[13].x + a[17].x * b[17].x;
+  float t2 = a[2].x * b[2].x + a[6].x * b[6].x + a[10].x * b[10].x + a[14].x * b[14].x;
+  float t3 = a[3].x * b[3].x + a[7].x * b[7].x + a[11].x * b[11].x + a[15].x * b[15].x;
+  float t4 = t2 + a[18].x * b[18].x + a[22].x * b[22].x + (t3 + a[19].x * b[19].x + a[23].x * b[23].x);
+  float t5 = t0 + a[20].x * b[20].x + a[24].x * b[24].x + (t1 + a[21].x * b[21].x) + t4;
+  float t6 = a[0].y * b[0].y + a[4].y * b[4].y + a[8].y * b[8].y + a[12].y * b[12].y + a[16].y * b[16].y;
+  float t7 = a[1].y * b[1].y + a[5].y * b[5].y + a[9].y * b[9].y + a[13].y * b[13].y + a[17].y * b[17].y;
+  float t8 = a[2].y * b[2].y + a[6].y * b[6].y + a[10].y * b[10].y + a[14].y * b[14].y;
+  float t9 = a[3].y * b[3].y + a[7].y * b[7].y + a[11].y * b[11].y + a[15].y * b[15].y;
+  float t10 = t8 + a[18].y * b[18].y + a[22].y * b[22].y + (t9 + a[19].y * b[19].y + a[23].y * b[23].y);
+  float t11 = t6 + a[20].y * b[20].y + a[24].y * b[24].y + (t7 + a[21].y * b[21].y) + t10;
+  float t12 = a[0].z * b[0].z + a[4].z * b[4].z + a[8].z * b[8].z + a[12].z * b[12].z + a[16].z * b[16].z;
+  float t13 = a[1].z * b[1].z + a[5].z * b[5].z + a[9].z * b[9].z + a[13].z * b[13].z + a[17].z * b[17].z;
+  float t14 = a[2].z * b[2].z + a[6].z * b[6].z + a[10].z * b[10].z + a[14].z * b[14].z;
+  float t15 = a[3].z * b[3].z + a[7].z * b[7].z + a[11].z * b[11].z + a[15].z * b[15].z;
+  float t16 = t14 + a[18].z * b[18].z + a[22].z * b[22].z + (t15 + a[19].z * b[19].z + a[23].z * b[23].z);
+  float t17 = t12 + a[20].z * b[20].z + a[24].z * b[24].z + (t13 + a[21].z * b[21].z) + t16;
+  vec3 value = vec3(t5, t11, t17);
+  return value;
+}
+#endif
+
+#ifndef ZONAL_CONVOLVE_2
+#define ZONAL_CONVOLVE_2
+// Convolution with a zonal kernel.
+// 6 operations: 0 additions, 6 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_convolve_2(in float sh[4], in float kernel[2], out float result[4]) {
+  result[0] = sh[0] * (3.5449078f * kernel[0]);
+  float t0 = 2.0466535f * kernel[1];
+  result[1] = sh[1] * t0;
+  result[2] = sh[2] * t0;
+  result[3] = sh[3] * t0;
+}
+#endif
+
+#ifndef ZONAL_CONVOLVE_3
+#define ZONAL_CONVOLVE_3
+// Convolution with a zonal kernel.
+// 12 operations: 0 additions, 12 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_convolve_3(in float sh[9], in float kernel[3], out float result[9]) {
+  result[0] = sh[0] * (3.5449078f * kernel[0]);
+  float t0 = 2.0466535f * kernel[1];
+  result[1] = sh[1] * t0;
+  result[2] = sh[2] * t0;
+  result[3] = sh[3] * t0;
+  float t1 = 1.585331f * kernel[2];
+  result[4] = sh[4] * t1;
+  result[5] = sh[5] * t1;
+  result[6] = sh[6] * t1;
+  result[7] = sh[7] * t1;
+  result[8] = sh[8] * t1;
+}
+#endif
+
+#ifndef ZONAL_CONVOLVE_4
+#define ZONAL_CONVOLVE_4
+// Convolution with a zonal kernel.
+// 20 operations: 0 additions, 20 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_convolve_4(in float sh[16], in float kernel[4], out float result[16]) {
+  result[0] = sh[0] * (3.5449078f * kernel[0]);
+  float t0 = 2.0466535f * kernel[1];
+  result[1] = sh[1] * t0;
+  result[2] = sh[2] * t0;
+  result[3] = sh[3] * t0;
+  float t1 = 1.585331f * kernel[2];
+  result[4] = sh[4] * t1;
+  result[5] = sh[5] * t1;
+  result[6] = sh[6] * t1;
+  result[7] = sh[7] * t1;
+  result[8] = sh[8] * t1;
+  float t2 = 1.3398491f * kernel[3];
+  result[9] = sh[9] * t2;
+  result[10] = sh[10] * t2;
+  result[11] = sh[11] * t2;
+  result[12] = sh[12] * t2;
+  result[13] = sh[13] * t2;
+  result[14] = sh[14] * t2;
+  result[15] = sh[15] * t2;
+}
+#endif
+
+#ifndef ZONAL_CONVOLVE_5
+#define ZONAL_CONVOLVE_5
+// Convolution with a zonal kernel.
+// 30 operations: 0 additions, 30 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_convolve_5(in float sh[25], in float kernel[5], out float result[25]) {
+  result[0] = sh[0] * (3.5449078f * kernel[0]);
+  float t0 = 2.0466535f * kernel[1];
+  result[1] = sh[1] * t0;
+  result[2] = sh[2] * t0;
+  result[3] = sh[3] * t0;
+  float t1 = 1.585331f * kernel[2];
+  result[4] = sh[4] * t1;
+  result[5] = sh[5] * t1;
+  result[6] = sh[6] * t1;
+  result[7] = sh[7] * t1;
+  result[8] = sh[8] * t1;
+  float t2 = 1.3398491f * kernel[3];
+  result[9] = sh[9] * t2;
+  result[10] = sh[10] * t2;
+  result[11] = sh[11] * t2;
+  result[12] = sh[12] * t2;
+  result[13] = sh[13] * t2;
+  result[14] = sh[14] * t2;
+  result[15] = sh[15] * t2;
+  float t3 = 1.1816359f * kernel[4];
+  result[16] = sh[16] * t3;
+  result[17] = sh[17] * t3;
+  result[18] = sh[18] * t3;
+  result[19] = sh[19] * t3;
+  result[20] = sh[20] * t3;
+  result[21] = sh[21] * t3;
+  result[22] = sh[22] * t3;
+  result[23] = sh[23] * t3;
+  result[24] = sh[24] * t3;
+}
+#endif
+
+#ifndef ZONAL_CONVOLVE_COLOUR_2
+#define ZONAL_CONVOLVE_COLOUR_2
+// Convolution with a zonal kernel. For colours.
+// 14 operations: 0 additions, 14 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_convolve_colour_2(in vec3 sh[4], in float kernel[2], out vec3 result[4]) {
+  float t0 = 3.5449078f * kernel[0];
+  result[0].x = sh[0].x * t0;
+  result[0].y = sh[0].y * t0;
+  result[0].z = sh[0].z * t0;
+  float t1 = 2.0466535f * kernel[1];
+  result[1].x = sh[1].x * t1;
+  result[1].y = sh[1].y * t1;
+  result[1].z = sh[1].z * t1;
+  result[2].x = sh[2].x * t1;
+  result[2].y = sh[2].y * t1;
+  result[2].z = sh[2].z * t1;
+  result[3].x = sh[3].x * t1;
+  result[3].y = sh[3].y * t1;
+  result[3].z = sh[3].z * t1;
+}
+#endif
+
+#ifndef ZONAL_CONVOLVE_COLOUR_3
+#define ZONAL_CONVOLVE_COLOUR_3
+// Convolution with a zonal kernel. For colours.
+// 30 operations: 0 additions, 30 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_convolve_colour_3(in vec3 sh[9], in float kernel[3], out vec3 result[9]) {
+  float t0 = 3.5449078f * kernel[0];
+  result[0].x = sh[0].x * t0;
+  result[0].y = sh[0].y * t0;
+  result[0].z = sh[0].z * t0;
+  float t1 = 2.0466535f * kernel[1];
+  result[1].x = sh[1].x * t1;
+  result[1].y = sh[1].y * t1;
+  result[1].z = sh[1].z * t1;
+  result[2].x = sh[2].x * t1;
+  result[2].y = sh[2].y * t1;
+  result[2].z = sh[2].z * t1;
+  result[3].x = sh[3].x * t1;
+  result[3].y = sh[3].y * t1;
+  result[3].z = sh[3].z * t1;
+  float t2 = 1.585331f * kernel[2];
+  result[4].x = sh[4].x * t2;
+  result[4].y = sh[4].y * t2;
+  result[4].z = sh[4].z * t2;
+  result[5].x = sh[5].x * t2;
+  result[5].y = sh[5].y * t2;
+  result[5].z = sh[5].z * t2;
+  result[6].x = sh[6].x * t2;
+  result[6].y = sh[6].y * t2;
+  result[6].z = sh[6].z * t2;
+  result[7].x = sh[7].x * t2;
+  result[7].y = sh[7].y * t2;
+  result[7].z = sh[7].z * t2;
+  result[8].x = sh[8].x * t2;
+  result[8].y = sh[8].y * t2;
+  result[8].z = sh[8].z * t2;
+}
+#endif
+
+#ifndef ZONAL_CONVOLVE_COLOUR_4
+#define ZONAL_CONVOLVE_COLOUR_4
+// Convolution with a zonal kernel. For colours.
+// 52 operations: 0 additions, 52 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_convolve_colour_4(in vec3 sh[16], in float kernel[4], out vec3 result[16]) {
+  float t0 = 3.5449078f * kernel[0];
+  result[0].x = sh[0].x * t0;
+  result[0].y = sh[0].y * t0;
+  result[0].z = sh[0].z * t0;
+  float t1 = 2.0466535f * kernel[1];
+  result[1].x = sh[1].x * t1;
+  result[1].y = sh[1].y * t1;
+  result[1].z = sh[1].z * t1;
+  result[2].x = sh[2].x * t1;
+  result[2].y = sh[2].y * t1;
+  result[2].z = sh[2].z * t1;
+  result[3].x = sh[3].x * t1;
+  result[3].y = sh[3].y * t1;
+  result[3].z = sh[3].z * t1;
+  float t2 = 1.585331f * kernel[2];
+  result[4].x = sh[4].x * t2;
+  result[4].y = sh[4].y * t2;
+  result[4].z = sh[4].z * t2;
+  result[5].x = sh[5].x * t2;
+  result[5].y = sh[5].y * t2;
+  result[5].z = sh[5].z * t2;
+  result[6].x = sh[6].x * t2;
+  result[6].y = sh[6].y * t2;
+  result[6].z = sh[6].z * t2;
+  result[7].x = sh[7].x * t2;
+  result[7].y = sh[7].y * t2;
+  result[7].z = sh[7].z * t2;
+  result[8].x = sh[8].x * t2;
+  result[8].y = sh[8].y * t2;
+  result[8].z = sh[8].z * t2;
+  float t3 = 1.3398491f * kernel[3];
+  result[9].x = sh[9].x * t3;
+  result[9].y = sh[9].y * t3;
+  result[9].z = sh[9].z * t3;
+  result[10].x = sh[10].x * t3;
+  result[10].y = sh[10].y * t3;
+  result[10].z = sh[10].z * t3;
+  result[11].x = sh[11].x * t3;
+  result[11].y = sh[11].y * t3;
+  result[11].z = sh[11].z * t3;
+  result[12].x = sh[12].x * t3;
+  result[12].y = sh[12].y * t3;
+  result[12].z = sh[12].z * t3;
+  result[13].x = sh[13].x * t3;
+  result[13].y = sh[13].y * t3;
+  result[13].z = sh[13].z * t3;
+  result[14].x = sh[14].x * t3;
+  result[14].y = sh[14].y * t3;
+  result[14].z = sh[14].z * t3;
+  result[15].x = sh[15].x * t3;
+  result[15].y = sh[15].y * t3;
+  result[15].z = sh[15].z * t3;
+}
+#endif
+
+#ifndef ZONAL_CONVOLVE_COLOUR_5
+#define ZONAL_CONVOLVE_COLOUR_5
+// Convolution with a zonal kernel. For colours.
+// 80 operations: 0 additions, 80 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_convolve_colour_5(in vec3 sh[25], in float kernel[5], out vec3 result[25]) {
+  float t0 = 3.5449078f * kernel[0];
+  result[0].x = sh[0].x * t0;
+  result[0].y = sh[0].y * t0;
+  result[0].z = sh[0].z * t0;
+  float t1 = 2.0466535f * kernel[1];
+  result[1].x = sh[1].x * t1;
+  result[1].y = sh[1].y * t1;
+  result[1].z = sh[1].z * t1;
+  result[2].x = sh[2].x * t1;
+  result[2].y = sh[2].y * t1;
+  result[2].z = sh[2].z * t1;
+  result[3].x = sh[3].x * t1;
+  result[3].y = sh[3].y * t1;
+  result[3].z = sh[3].z * t1;
+  float t2 = 1.585331f * kernel[2];
+  result[4].x = sh[4].x * t2;
+  result[4].y = sh[4].y * t2;
+  result[4].z = sh[4].z * t2;
+  result[5].x = sh[5].x * t2;
+  result[5].y = sh[5].y * t2;
+  result[5].z = sh[5].z * t2;
+  result[6].x = sh[6].x * t2;
+  result[6].y = sh[6].y * t2;
+  result[6].z = sh[6].z * t2;
+  result[7].x = sh[7].x * t2;
+  result[7].y = sh[7].y * t2;
+  result[7].z = sh[7].z * t2;
+  result[8].x = sh[8].x * t2;
+  result[8].y = sh[8].y * t2;
+  result[8].z = sh[8].z * t2;
+  float t3 = 1.3398491f * kernel[3];
+  result[9].x = sh[9].x * t3;
+  result[9].y = sh[9].y * t3;
+  result[9].z = sh[9].z * t3;
+  result[10].x = sh[10].x * t3;
+  result[10].y = sh[10].y * t3;
+  result[10].z = sh[10].z * t3;
+  result[11].x = sh[11].x * t3;
+  result[11].y = sh[11].y * t3;
+  result[11].z = sh[11].z * t3;
+  result[12].x = sh[12].x * t3;
+  result[12].y = sh[12].y * t3;
+  result[12].z = sh[12].z * t3;
+  result[13].x = sh[13].x * t3;
+  result[13].y = sh[13].y * t3;
+  result[13].z = sh[13].z * t3;
+  result[14].x = sh[14].x * t3;
+  result[14].y = sh[14].y * t3;
+  result[14].z = sh[14].z * t3;
+  result[15].x = sh[15].x * t3;
+  result[15].y = sh[15].y * t3;
+  result[15].z = sh[15].z * t3;
+  float t4 = 1.1816359f * kernel[4];
+  result[16].x = sh[16].x * t4;
+  result[16].y = sh[16].y * t4;
+  result[16].z = sh[16].z * t4;
+  result[17].x = sh[17].x * t4;
+  result[17].y = sh[17].y * t4;
+  result[17].z = sh[17].z * t4;
+  result[18].x = sh[18].x * t4;
+  result[18].y = sh[18].y * t4;
+  result[18].z = sh[18].z * t4;
+  result[19].x = sh[19].x * t4;
+  result[19].y = sh[19].y * t4;
+  result[19].z = sh[19].z * t4;
+  result[20].x = sh[20].x * t4;
+  result[20].y = sh[20].y * t4;
+  result[20].z = sh[20].z * t4;
+  result[21].x = sh[21].x * t4;
+  result[21].y = sh[21].y * t4;
+  result[21].z = sh[21].z * t4;
+  result[22].x = sh[22].x * t4;
+  result[22].y = sh[22].y * t4;
+  result[22].z = sh[22].z * t4;
+  result[23].x = sh[23].x * t4;
+  result[23].y = sh[23].y * t4;
+  result[23].z = sh[23].z * t4;
+  result[24].x = sh[24].x * t4;
+  result[24].y = sh[24].y * t4;
+  result[24].z = sh[24].z * t4;
+}
+#endif
+
+#ifndef ZONAL_LAMBERT_2
+#define ZONAL_LAMBERT_2
+// Zonal coefficients of the clamped cosine over pi.
+// 0 operations: 0 additions, 0 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_lambert_2(out float z[2]) {
+  z[0] = 0.2820948f;
+  z[1] = 0.325735f;
+}
+#endif
+
+#ifndef ZONAL_LAMBERT_3
+#define ZONAL_LAMBERT_3
+// Zonal coefficients of the clamped cosine over pi.
+// 0 operations: 0 additions, 0 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_lambert_3(out float z[3]) {
+  z[0] = 0.2820948f;
+  z[1] = 0.325735f;
+  z[2] = 0.15769579f;
+}
+#endif
+
+#ifndef ZONAL_LAMBERT_4
+#define ZONAL_LAMBERT_4
+// Zonal coefficients of the clamped cosine over pi.
+// 0 operations: 0 additions, 0 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_lambert_4(out float z[4]) {
+  z[0] = 0.2820948f;
+  z[1] = 0.325735f;
+  z[2] = 0.15769579f;
+  z[3] = 0.0f;
+}
+#endif
+
+#ifndef ZONAL_LAMBERT_5
+#define ZONAL_LAMBERT_5
+// Zonal coefficients of the clamped cosine over pi.
+// 0 operations: 0 additions, 0 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_lambert_5(out float z[5]) {
+  z[0] = 0.2820948f;
+  z[1] = 0.325735f;
+  z[2] = 0.15769579f;
+  z[3] = 0.0f;
+  z[4] = -0.03526185f;
+}
+#endif
+
+#ifndef ZONAL_CAP_2
+#define ZONAL_CAP_2
+// Zonal coefficients of a spherical cap, by cosine and sine of its half angle.
+// 12 operations: 2 additions, 4 multiplications, 1 divisions, 0 square roots, 5 comparisons and choices.
+void zonal_cap_2(vec2 cap, out float z[2]) {
+  float t0 = abs(cap.x);
+  float t1 = cap.y * cap.y;
+  float t2 = 1.0f + t0;
+  float t3 = 0.88622695f * (2.0f * (0.0f < cap.x ? (t0 < 0.5f ? 1.0f - t0 : t1 / t2) : t2));
+  z[0] = t3;
+  z[1] = 1.5349901f * t1;
+}
+#endif
+
+#ifndef ZONAL_CAP_3
+#define ZONAL_CAP_3
+// Zonal coefficients of a spherical cap, by cosine and sine of its half angle.
+// 22 operations: 6 additions, 7 multiplications, 1 divisions, 0 square roots, 8 comparisons and choices.
+void zonal_cap_3(vec2 cap, out float z[3]) {
+  bool is_0 = 0.0f < cap.x;
+  float t1 = abs(cap.x);
+  float t2 = cap.y * cap.y;
+  float t3 = 1.0f + t1;
+  float t4 = t1 < 0.5f ? 1.0f - t1 : t2 / t3;
+  z[0] = 0.88622695f * (2.0f * (is_0 ? t4 : t3));
+  z[1] = 1.5349901f * t2;
+  float t5 = 0.33333334f < t1 ? t2 : 0.0f;
+  z[2] = 1.9816637f * ((is_0 ? 1.0f : -1.0f) * (t5 + (t2 - t5 + -(t4 * t2))));
+}
+#endif
+
+#ifndef ZONAL_CAP_4
+#define ZONAL_CAP_4
+// Zonal coefficients of a spherical cap, by cosine and sine of its half angle.
+// 29 operations: 9 additions, 11 multiplications, 1 divisions, 0 square roots, 8 comparisons and choices.
+void zonal_cap_4(vec2 cap, out float z[4]) {
+  bool is_0 = 0.0f < cap.x;
+  float t1 = abs(cap.x);
+  float t2 = cap.y * cap.y;
+  float t3 = 1.0f + t1;
+  float t4 = t1 < 0.5f ? 1.0f - t1 : t2 / t3;
+  z[0] = 0.88622695f * (2.0f * (is_0 ? t4 : t3));
+  z[1] = 1.5349901f * t2;
+  float t5 = 0.625f < t1 ? t2 : 0.0f;
+  float t6 = -(t4 * t2);
+  float t7 = t2 - t5 + t6;
+  float t8 = t5 + t7;
+  z[2] = 1.9816637f * ((is_0 ? 1.0f : -1.0f) * t8);
+  z[3] = 2.344736f * (t5 + (t7 + (0.25f * t6 - 1.25f * (t4 * t8))));
+}
+#endif
+
+#ifndef ZONAL_CAP_5
+#define ZONAL_CAP_5
+// Zonal coefficients of a spherical cap, by cosine and sine of its half angle.
+// 37 operations: 12 additions, 16 multiplications, 1 divisions, 0 square roots, 8 comparisons and choices.
+void zonal_cap_5(vec2 cap, out float z[5]) {
+  bool is_0 = 0.0f < cap.x;
+  float t1 = abs(cap.x);
+  float t2 = cap.y * cap.y;
+  float t3 = 1.0f + t1;
+  float t4 = t1 < 0.5f ? 1.0f - t1 : t2 / t3;
+  z[0] = 0.88622695f * (2.0f * (is_0 ? t4 : t3));
+  z[1] = 1.5349901f * t2;
+  float t5 = is_0 ? 1.0f : -1.0f;
+  float t6 = 0.76f < t1 ? t2 : 0.0f;
+  float t7 = -(t4 * t2);
+  float t8 = t2 - t6 + t7;
+  float t9 = t6 + t8;
+  z[2] = 1.9816637f * (t5 * t9);
+  float t10 = 0.25f * t7 - 1.25f * (t4 * t9);
+  float t11 = t8 + t10;
+  float t12 = t6 + t11;
+  z[3] = 2.344736f * t12;
+  z[4] = 2.6586807f * (t5 * (t6 + (t11 + (0.4f * t10 - 1.4f * (t4 * t12)))));
+}
+#endif
+
+#ifndef ZONAL_CAP_UP_TO_HEMISPHERE_2
+#define ZONAL_CAP_UP_TO_HEMISPHERE_2
+// The same up to the hemisphere, in fewer operations.
+// 6 operations: 2 additions, 3 multiplications, 1 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_cap_up_to_hemisphere_2(vec2 cap, out float z[2]) {
+  float t0 = cap.y * cap.y;
+  float t1 = t0 / (1.0f + cap.x);
+  z[0] = 0.88622695f * (t1 + t1);
+  z[1] = 1.5349901f * t0;
+}
+#endif
+
+#ifndef ZONAL_CAP_UP_TO_HEMISPHERE_3
+#define ZONAL_CAP_UP_TO_HEMISPHERE_3
+// The same up to the hemisphere, in fewer operations.
+// 10 operations: 4 additions, 5 multiplications, 1 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_cap_up_to_hemisphere_3(vec2 cap, out float z[3]) {
+  float t0 = cap.y * cap.y;
+  float t1 = t0 / (1.0f + cap.x);
+  z[0] = 0.88622695f * (t1 + t1);
+  z[1] = 1.5349901f * t0;
+  z[2] = 1.9816637f * (t0 + -(t1 * t0));
+}
+#endif
+
+#ifndef ZONAL_CAP_UP_TO_HEMISPHERE_4
+#define ZONAL_CAP_UP_TO_HEMISPHERE_4
+// The same up to the hemisphere, in fewer operations.
+// 16 operations: 6 additions, 9 multiplications, 1 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_cap_up_to_hemisphere_4(vec2 cap, out float z[4]) {
+  float t0 = cap.y * cap.y;
+  float t1 = t0 / (1.0f + cap.x);
+  z[0] = 0.88622695f * (t1 + t1);
+  z[1] = 1.5349901f * t0;
+  float t2 = -(t1 * t0);
+  float t3 = t0 + t2;
+  z[2] = 1.9816637f * t3;
+  z[3] = 2.344736f * (t3 + (0.25f * t2 - 1.25f * (t1 * t3)));
+}
+#endif
+
+#ifndef ZONAL_CAP_UP_TO_HEMISPHERE_5
+#define ZONAL_CAP_UP_TO_HEMISPHERE_5
+// The same up to the hemisphere, in fewer operations.
+// 22 operations: 8 additions, 13 multiplications, 1 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_cap_up_to_hemisphere_5(vec2 cap, out float z[5]) {
+  float t0 = cap.y * cap.y;
+  float t1 = t0 / (1.0f + cap.x);
+  z[0] = 0.88622695f * (t1 + t1);
+  z[1] = 1.5349901f * t0;
+  float t2 = -(t1 * t0);
+  float t3 = t0 + t2;
+  z[2] = 1.9816637f * t3;
+  float t4 = 0.25f * t2 - 1.25f * (t1 * t3);
+  float t5 = t3 + t4;
+  z[3] = 2.344736f * t5;
+  z[4] = 2.6586807f * (t5 + (0.4f * t4 - 1.4f * (t1 * t5)));
+}
+#endif
+
+#ifndef ZONAL_SPHERE_CAP_2
+#define ZONAL_SPHERE_CAP_2
+// Zonal coefficients of the cap that a sphere covers, seen from a distance.
+// 15 operations: 4 additions, 6 multiplications, 2 divisions, 1 square roots, 2 comparisons and choices.
+void zonal_sphere_cap_2(float distance, float radius, out float z[2]) {
+  float t0 = 1.0f / distance;
+  float t1 = min(radius * t0, 1.0f);
+  float t2 = t1 * t1;
+  float t3 = t2 / (1.0f + sqrt(max(distance - radius, 0.0f) * t0 * (1.0f + t1)));
+  z[0] = 0.88622695f * (t3 + t3);
+  z[1] = 1.5349901f * t2;
+}
+#endif
+
+#ifndef ZONAL_SPHERE_CAP_3
+#define ZONAL_SPHERE_CAP_3
+// Zonal coefficients of the cap that a sphere covers, seen from a distance.
+// 19 operations: 6 additions, 8 multiplications, 2 divisions, 1 square roots, 2 comparisons and choices.
+void zonal_sphere_cap_3(float distance, float radius, out float z[3]) {
+  float t0 = 1.0f / distance;
+  float t1 = min(radius * t0, 1.0f);
+  float t2 = t1 * t1;
+  float t3 = t2 / (1.0f + sqrt(max(distance - radius, 0.0f) * t0 * (1.0f + t1)));
+  z[0] = 0.88622695f * (t3 + t3);
+  z[1] = 1.5349901f * t2;
+  z[2] = 1.9816637f * (t2 + -(t3 * t2));
+}
+#endif
+
+#ifndef ZONAL_SPHERE_CAP_4
+#define ZONAL_SPHERE_CAP_4
+// Zonal coefficients of the cap that a sphere covers, seen from a distance.
+// 25 operations: 8 additions, 12 multiplications, 2 divisions, 1 square roots, 2 comparisons and choices.
+void zonal_sphere_cap_4(float distance, float radius, out float z[4]) {
+  float t0 = 1.0f / distance;
+  float t1 = min(radius * t0, 1.0f);
+  float t2 = t1 * t1;
+  float t3 = t2 / (1.0f + sqrt(max(distance - radius, 0.0f) * t0 * (1.0f + t1)));
+  z[0] = 0.88622695f * (t3 + t3);
+  z[1] = 1.5349901f * t2;
+  float t4 = -(t3 * t2);
+  float t5 = t2 + t4;
+  z[2] = 1.9816637f * t5;
+  z[3] = 2.344736f * (t5 + (0.25f * t4 - 1.25f * (t3 * t5)));
+}
+#endif
+
+#ifndef ZONAL_SPHERE_CAP_5
+#define ZONAL_SPHERE_CAP_5
+// Zonal coefficients of the cap that a sphere covers, seen from a distance.
+// 31 operations: 10 additions, 16 multiplications, 2 divisions, 1 square roots, 2 comparisons and choices.
+void zonal_sphere_cap_5(float distance, float radius, out float z[5]) {
+  float t0 = 1.0f / distance;
+  float t1 = min(radius * t0, 1.0f);
+  float t2 = t1 * t1;
+  float t3 = t2 / (1.0f + sqrt(max(distance - radius, 0.0f) * t0 * (1.0f + t1)));
+  z[0] = 0.88622695f * (t3 + t3);
+  z[1] = 1.5349901f * t2;
+  float t4 = -(t3 * t2);
+  float t5 = t2 + t4;
+  z[2] = 1.9816637f * t5;
+  float t6 = 0.25f * t4 - 1.25f * (t3 * t5);
+  float t7 = t5 + t6;
+  z[3] = 2.344736f * t7;
+  z[4] = 2.6586807f * (t7 + (0.4f * t6 - 1.4f * (t3 * t7)));
+}
+#endif
+
+#ifndef ZONAL_PHONG_2
+#define ZONAL_PHONG_2
+// Zonal coefficients of the cosine power that integrates to 1.
+// 4 operations: 2 additions, 1 multiplications, 1 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_phong_2(float exponent, out float z[2]) {
+  z[0] = 0.2820948f;
+  z[1] = 0.48860252f * ((exponent + 1.0f) / (exponent + 2.0f));
+}
+#endif
+
+#ifndef ZONAL_PHONG_3
+#define ZONAL_PHONG_3
+// Zonal coefficients of the cosine power that integrates to 1.
+// 7 operations: 3 additions, 2 multiplications, 2 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_phong_3(float exponent, out float z[3]) {
+  z[0] = 0.2820948f;
+  z[1] = 0.48860252f * ((exponent + 1.0f) / (exponent + 2.0f));
+  z[2] = 0.63078314f * (exponent / (exponent + 3.0f));
+}
+#endif
+
+#ifndef ZONAL_PHONG_4
+#define ZONAL_PHONG_4
+// Zonal coefficients of the cosine power that integrates to 1.
+// 12 operations: 5 additions, 4 multiplications, 3 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_phong_4(float exponent, out float z[4]) {
+  z[0] = 0.2820948f;
+  float t0 = (exponent + 1.0f) / (exponent + 2.0f);
+  z[1] = 0.48860252f * t0;
+  z[2] = 0.63078314f * (exponent / (exponent + 3.0f));
+  z[3] = 0.7463527f * (t0 * ((exponent - 1.0f) / (exponent + 4.0f)));
+}
+#endif
+
+#ifndef ZONAL_PHONG_5
+#define ZONAL_PHONG_5
+// Zonal coefficients of the cosine power that integrates to 1.
+// 17 operations: 7 additions, 6 multiplications, 4 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_phong_5(float exponent, out float z[5]) {
+  z[0] = 0.2820948f;
+  float t0 = (exponent + 1.0f) / (exponent + 2.0f);
+  z[1] = 0.48860252f * t0;
+  float t1 = exponent / (exponent + 3.0f);
+  z[2] = 0.63078314f * t1;
+  z[3] = 0.7463527f * (t0 * ((exponent - 1.0f) / (exponent + 4.0f)));
+  z[4] = 0.8462844f * (t1 * ((exponent - 2.0f) / (exponent + 5.0f)));
+}
+#endif
+
+#ifndef ZONAL_SPHERICAL_GAUSSIAN_2
+#define ZONAL_SPHERICAL_GAUSSIAN_2
+// Zonal coefficients of exp(sharpness (cos theta - 1)).
+// 162 operations: 52 additions, 52 multiplications, 20 divisions, 1 square roots, 37 comparisons and choices.
+void zonal_spherical_gaussian_2(float sharpness, out float z[2]) {
+  float t0 = sharpness / (16.0f + sqrt(272.0f + sharpness * sharpness));
+  float t1 = sharpness / (31.0f + sharpness * t0);
+  float t2 = sharpness / (29.0f + sharpness * t1);
+  float t3 = sharpness / (27.0f + sharpness * t2);
+  float t4 = sharpness / (25.0f + sharpness * t3);
+  float t5 = sharpness / (23.0f + sharpness * t4);
+  float t6 = sharpness / (21.0f + sharpness * t5);
+  float t7 = sharpness / (19.0f + sharpness * t6);
+  float t8 = sharpness / (17.0f + sharpness * t7);
+  float t9 = sharpness / (15.0f + sharpness * t8);
+  float t10 = sharpness / (13.0f + sharpness * t9);
+  float t11 = sharpness / (11.0f + sharpness * t10);
+  float t12 = sharpness / (9.0f + sharpness * t11);
+  float t13 = sharpness / (7.0f + sharpness * t12);
+  float t14 = sharpness / (5.0f + sharpness * t13);
+  float t15 = sharpness / (3.0f + sharpness * t14);
+  float t16 = 23.0f + t4 * (25.0f + t3 * (27.0f + t2 * (29.0f + t1 * (31.0f + t0 * 33.0f))));
+  float t17 = 13.0f + t9 * (15.0f + t8 * (17.0f + t7 * (19.0f + t6 * (21.0f + t5 * t16))));
+  float t18 = 3.0f + t14 * (5.0f + t13 * (7.0f + t12 * (9.0f + t11 * (11.0f + t10 * t17))));
+  float t19 = max(sharpness, 1.0f);
+  float t20 = -2.0f * t19;
+  float t21 = min(abs(t20), 105.35837f);
+  bool is_22 = 64.0f <= t21;
+  bool is_23 = t20 < 0.0f;
+  float t24 = is_22 ? t21 - 64.0f : t21;
+  bool is_25 = 32.0f <= t24;
+  float t26 = is_25 ? t24 - 32.0f : t24;
+  bool is_27 = 16.0f <= t26;
+  float t28 = is_27 ? t26 - 16.0f : t26;
+  bool is_29 = 8.0f <= t28;
+  float t30 = is_29 ? t28 - 8.0f : t28;
+  bool is_31 = 4.0f <= t30;
+  float t32 = is_31 ? t30 - 4.0f : t30;
+  bool is_33 = 2.0f <= t32;
+  float t34 = is_33 ? t32 - 2.0f : t32;
+  bool is_35 = 1.0f <= t34;
+  float t36 = is_35 ? t34 - 1.0f : t34;
+  bool is_37 = 0.5f <= t36;
+  float t38 = is_37 ? t36 - 0.5f : t36;
+  bool is_39 = 0.25f <= t38;
+  float t40 = is_25 ? 1.2664166e-14f : 1.0f;
+  float t41 = is_27 ? t40 * 1.12535176e-07f : t40;
+  float t42 = is_29 ? t41 * 0.00033546262f : t41;
+  float t43 = is_31 ? t42 * 0.01831564f : t42;
+  float t44 = is_33 ? t43 * 0.13533528f : t43;
+  float t45 = is_35 ? t44 * 0.36787945f : t44;
+  float t46 = is_37 ? t45 * 0.60653067f : t45;
+  float t47 = is_39 ? t38 - 0.25f : t38;
+  float t48 = 0.16666667f - t47 * (0.041666668f - t47 * (0.008333334f - t47 * 0.0013888889f));
+  float t49 = (is_39 ? t46 * 0.7788008f : t46) * (1.0f - t47 * (1.0f - t47 * (0.5f - t47 * t48)));
+  float t50 = is_23 ? t49 : 1.0f / t49;
+  float t51 = is_22 ? t50 * (is_23 ? 1.6038109e-28f : 6.235149e+27f) : t50;
+  float t52 = sharpness < 1.0f ? 1.0f / (1.0f + t15 * t18) : (1.0f - t51) / (t19 + t19);
+  z[0] = 3.5449078f * t52;
+  float t53 = 6.1399603f * (2.0f < sharpness ? ((1.0f + t51) * 0.5f - t52) / t19 : t52 * t15);
+  z[1] = t53;
+}
+#endif
+
+#ifndef ZONAL_SPHERICAL_GAUSSIAN_3
+#define ZONAL_SPHERICAL_GAUSSIAN_3
+// Zonal coefficients of exp(sharpness (cos theta - 1)).
+// 188 operations: 61 additions, 63 multiplications, 25 divisions, 1 square roots, 38 comparisons and choices.
+void zonal_spherical_gaussian_3(float sharpness, out float z[3]) {
+  float t0 = sharpness / (20.0f + sqrt(420.0f + sharpness * sharpness));
+  float t1 = sharpness / (39.0f + sharpness * t0);
+  float t2 = sharpness / (37.0f + sharpness * t1);
+  float t3 = sharpness / (35.0f + sharpness * t2);
+  float t4 = sharpness / (33.0f + sharpness * t3);
+  float t5 = sharpness / (31.0f + sharpness * t4);
+  float t6 = sharpness / (29.0f + sharpness * t5);
+  float t7 = sharpness / (27.0f + sharpness * t6);
+  float t8 = sharpness / (25.0f + sharpness * t7);
+  float t9 = sharpness / (23.0f + sharpness * t8);
+  float t10 = sharpness / (21.0f + sharpness * t9);
+  float t11 = sharpness / (19.0f + sharpness * t10);
+  float t12 = sharpness / (17.0f + sharpness * t11);
+  float t13 = sharpness / (15.0f + sharpness * t12);
+  float t14 = sharpness / (13.0f + sharpness * t13);
+  float t15 = sharpness / (11.0f + sharpness * t14);
+  float t16 = sharpness / (9.0f + sharpness * t15);
+  float t17 = sharpness / (7.0f + sharpness * t16);
+  float t18 = sharpness / (5.0f + sharpness * t17);
+  float t19 = sharpness / (3.0f + sharpness * t18);
+  float t20 = 31.0f + t4 * (33.0f + t3 * (35.0f + t2 * (37.0f + t1 * (39.0f + t0 * 41.0f))));
+  float t21 = 21.0f + t9 * (23.0f + t8 * (25.0f + t7 * (27.0f + t6 * (29.0f + t5 * t20))));
+  float t22 = t14 * (13.0f + t13 * (15.0f + t12 * (17.0f + t11 * (19.0f + t10 * t21))));
+  float t23 = t19 * (3.0f + t18 * (5.0f + t17 * (7.0f + t16 * (9.0f + t15 * (11.0f + t22)))));
+  float t24 = max(sharpness, 1.0f);
+  float t25 = -2.0f * t24;
+  float t26 = min(abs(t25), 105.35837f);
+  bool is_27 = 64.0f <= t26;
+  bool is_28 = t25 < 0.0f;
+  float t29 = is_27 ? t26 - 64.0f : t26;
+  bool is_30 = 32.0f <= t29;
+  float t31 = is_30 ? t29 - 32.0f : t29;
+  bool is_32 = 16.0f <= t31;
+  float t33 = is_32 ? t31 - 16.0f : t31;
+  bool is_34 = 8.0f <= t33;
+  float t35 = is_34 ? t33 - 8.0f : t33;
+  bool is_36 = 4.0f <= t35;
+  float t37 = is_36 ? t35 - 4.0f : t35;
+  bool is_38 = 2.0f <= t37;
+  float t39 = is_38 ? t37 - 2.0f : t37;
+  bool is_40 = 1.0f <= t39;
+  float t41 = is_40 ? t39 - 1.0f : t39;
+  bool is_42 = 0.5f <= t41;
+  float t43 = is_42 ? t41 - 0.5f : t41;
+  bool is_44 = 0.25f <= t43;
+  float t45 = is_30 ? 1.2664166e-14f : 1.0f;
+  float t46 = is_32 ? t45 * 1.12535176e-07f : t45;
+  float t47 = is_34 ? t46 * 0.00033546262f : t46;
+  float t48 = is_36 ? t47 * 0.01831564f : t47;
+  float t49 = is_38 ? t48 * 0.13533528f : t48;
+  float t50 = is_40 ? t49 * 0.36787945f : t49;
+  float t51 = is_42 ? t50 * 0.60653067f : t50;
+  float t52 = is_44 ? t43 - 0.25f : t43;
+  float t53 = 0.16666667f - t52 * (0.041666668f - t52 * (0.008333334f - t52 * 0.0013888889f));
+  float t54 = (is_44 ? t51 * 0.7788008f : t51) * (1.0f - t52 * (1.0f - t52 * (0.5f - t52 * t53)));
+  float t55 = is_28 ? t54 : 1.0f / t54;
+  float t56 = is_27 ? t55 * (is_28 ? 1.6038109e-28f : 6.235149e+27f) : t55;
+  float t57 = sharpness < 1.0f ? 1.0f / (1.0f + t23) : (1.0f - t56) / (t24 + t24);
+  z[0] = 3.5449078f * t57;
+  bool is_58 = 4.5f < sharpness;
+  float t59 = ((1.0f + t56) * 0.5f - t57) / t24;
+  float t60 = t57 * t19;
+  z[1] = 6.1399603f * (is_58 ? t59 : t60);
+  z[2] = 7.926655f * (is_58 ? t57 - 3.0f / t24 * t59 : t60 * t18);
+}
+#endif
+
+#ifndef ZONAL_SPHERICAL_GAUSSIAN_4
+#define ZONAL_SPHERICAL_GAUSSIAN_4
+// Zonal coefficients of exp(sharpness (cos theta - 1)).
+// 214 operations: 70 additions, 74 multiplications, 30 divisions, 1 square roots, 39 comparisons and choices.
+void zonal_spherical_gaussian_4(float sharpness, out float z[4]) {
+  float t0 = sharpness / (24.0f + sqrt(600.0f + sharpness * sharpness));
+  float t1 = sharpness / (47.0f + sharpness * t0);
+  float t2 = sharpness / (45.0f + sharpness * t1);
+  float t3 = sharpness / (43.0f + sharpness * t2);
+  float t4 = sharpness / (41.0f + sharpness * t3);
+  float t5 = sharpness / (39.0f + sharpness * t4);
+  float t6 = sharpness / (37.0f + sharpness * t5);
+  float t7 = sharpness / (35.0f + sharpness * t6);
+  float t8 = sharpness / (33.0f + sharpness * t7);
+  float t9 = sharpness / (31.0f + sharpness * t8);
+  float t10 = sharpness / (29.0f + sharpness * t9);
+  float t11 = sharpness / (27.0f + sharpness * t10);
+  float t12 = sharpness / (25.0f + sharpness * t11);
+  float t13 = sharpness / (23.0f + sharpness * t12);
+  float t14 = sharpness / (21.0f + sharpness * t13);
+  float t15 = sharpness / (19.0f + sharpness * t14);
+  float t16 = sharpness / (17.0f + sharpness * t15);
+  float t17 = sharpness / (15.0f + sharpness * t16);
+  float t18 = sharpness / (13.0f + sharpness * t17);
+  float t19 = sharpness / (11.0f + sharpness * t18);
+  float t20 = sharpness / (9.0f + sharpness * t19);
+  float t21 = sharpness / (7.0f + sharpness * t20);
+  float t22 = sharpness / (5.0f + sharpness * t21);
+  float t23 = sharpness / (3.0f + sharpness * t22);
+  float t24 = 39.0f + t4 * (41.0f + t3 * (43.0f + t2 * (45.0f + t1 * (47.0f + t0 * 49.0f))));
+  float t25 = 29.0f + t9 * (31.0f + t8 * (33.0f + t7 * (35.0f + t6 * (37.0f + t5 * t24))));
+  float t26 = t14 * (21.0f + t13 * (23.0f + t12 * (25.0f + t11 * (27.0f + t10 * t25))));
+  float t27 = 11.0f + t18 * (13.0f + t17 * (15.0f + t16 * (17.0f + t15 * (19.0f + t26))));
+  float t28 = 1.0f + t23 * (3.0f + t22 * (5.0f + t21 * (7.0f + t20 * (9.0f + t19 * t27))));
+  float t29 = max(sharpness, 1.0f);
+  float t30 = -2.0f * t29;
+  float t31 = min(abs(t30), 105.35837f);
+  bool is_32 = 64.0f <= t31;
+  bool is_33 = t30 < 0.0f;
+  float t34 = is_32 ? t31 - 64.0f : t31;
+  bool is_35 = 32.0f <= t34;
+  float t36 = is_35 ? t34 - 32.0f : t34;
+  bool is_37 = 16.0f <= t36;
+  float t38 = is_37 ? t36 - 16.0f : t36;
+  bool is_39 = 8.0f <= t38;
+  float t40 = is_39 ? t38 - 8.0f : t38;
+  bool is_41 = 4.0f <= t40;
+  float t42 = is_41 ? t40 - 4.0f : t40;
+  bool is_43 = 2.0f <= t42;
+  float t44 = is_43 ? t42 - 2.0f : t42;
+  bool is_45 = 1.0f <= t44;
+  float t46 = is_45 ? t44 - 1.0f : t44;
+  bool is_47 = 0.5f <= t46;
+  float t48 = is_47 ? t46 - 0.5f : t46;
+  bool is_49 = 0.25f <= t48;
+  float t50 = is_35 ? 1.2664166e-14f : 1.0f;
+  float t51 = is_37 ? t50 * 1.12535176e-07f : t50;
+  float t52 = is_39 ? t51 * 0.00033546262f : t51;
+  float t53 = is_41 ? t52 * 0.01831564f : t52;
+  float t54 = is_43 ? t53 * 0.13533528f : t53;
+  float t55 = is_45 ? t54 * 0.36787945f : t54;
+  float t56 = is_47 ? t55 * 0.60653067f : t55;
+  float t57 = is_49 ? t48 - 0.25f : t48;
+  float t58 = 0.16666667f - t57 * (0.041666668f - t57 * (0.008333334f - t57 * 0.0013888889f));
+  float t59 = (is_49 ? t56 * 0.7788008f : t56) * (1.0f - t57 * (1.0f - t57 * (0.5f - t57 * t58)));
+  float t60 = is_33 ? t59 : 1.0f / t59;
+  float t61 = is_32 ? t60 * (is_33 ? 1.6038109e-28f : 6.235149e+27f) : t60;
+  float t62 = sharpness < 1.0f ? 1.0f / t28 : (1.0f - t61) / (t29 + t29);
+  z[0] = 3.5449078f * t62;
+  bool is_63 = 8.0f < sharpness;
+  float t64 = ((1.0f + t61) * 0.5f - t62) / t29;
+  float t65 = t62 * t23;
+  z[1] = 6.1399603f * (is_63 ? t64 : t65);
+  float t66 = t62 - 3.0f / t29 * t64;
+  float t67 = t65 * t22;
+  z[2] = 7.926655f * (is_63 ? t66 : t67);
+  z[3] = 9.378944f * (is_63 ? t64 - 5.0f / t29 * t66 : t67 * t21);
+}
+#endif
+
+#ifndef ZONAL_SPHERICAL_GAUSSIAN_5
+#define ZONAL_SPHERICAL_GAUSSIAN_5
+// Zonal coefficients of exp(sharpness (cos theta - 1)).
+// 240 operations: 79 additions, 85 multiplications, 35 divisions, 1 square roots, 40 comparisons and choices.
+void zonal_spherical_gaussian_5(float sharpness, out float z[5]) {
+  float t0 = sharpness / (28.0f + sqrt(812.0f + sharpness * sharpness));
+  float t1 = sharpness / (55.0f + sharpness * t0);
+  float t2 = sharpness / (53.0f + sharpness * t1);
+  float t3 = sharpness / (51.0f + sharpness * t2);
+  float t4 = sharpness / (49.0f + sharpness * t3);
+  float t5 = sharpness / (47.0f + sharpness * t4);
+  float t6 = sharpness / (45.0f + sharpness * t5);
+  float t7 = sharpness / (43.0f + sharpness * t6);
+  float t8 = sharpness / (41.0f + sharpness * t7);
+  float t9 = sharpness / (39.0f + sharpness * t8);
+  float t10 = sharpness / (37.0f + sharpness * t9);
+  float t11 = sharpness / (35.0f + sharpness * t10);
+  float t12 = sharpness / (33.0f + sharpness * t11);
+  float t13 = sharpness / (31.0f + sharpness * t12);
+  float t14 = sharpness / (29.0f + sharpness * t13);
+  float t15 = sharpness / (27.0f + sharpness * t14);
+  float t16 = sharpness / (25.0f + sharpness * t15);
+  float t17 = sharpness / (23.0f + sharpness * t16);
+  float t18 = sharpness / (21.0f + sharpness * t17);
+  float t19 = sharpness / (19.0f + sharpness * t18);
+  float t20 = sharpness / (17.0f + sharpness * t19);
+  float t21 = sharpness / (15.0f + sharpness * t20);
+  float t22 = sharpness / (13.0f + sharpness * t21);
+  float t23 = sharpness / (11.0f + sharpness * t22);
+  float t24 = sharpness / (9.0f + sharpness * t23);
+  float t25 = sharpness / (7.0f + sharpness * t24);
+  float t26 = sharpness / (5.0f + sharpness * t25);
+  float t27 = sharpness / (3.0f + sharpness * t26);
+  float t28 = 47.0f + t4 * (49.0f + t3 * (51.0f + t2 * (53.0f + t1 * (55.0f + t0 * 57.0f))));
+  float t29 = 37.0f + t9 * (39.0f + t8 * (41.0f + t7 * (43.0f + t6 * (45.0f + t5 * t28))));
+  float t30 = t14 * (29.0f + t13 * (31.0f + t12 * (33.0f + t11 * (35.0f + t10 * t29))));
+  float t31 = 19.0f + t18 * (21.0f + t17 * (23.0f + t16 * (25.0f + t15 * (27.0f + t30))));
+  float t32 = t23 * (11.0f + t22 * (13.0f + t21 * (15.0f + t20 * (17.0f + t19 * t31))));
+  float t33 = 1.0f / (1.0f + t27 * (3.0f + t26 * (5.0f + t25 * (7.0f + t24 * (9.0f + t32)))));
+  float t34 = max(sharpness, 1.0f);
+  float t35 = -2.0f * t34;
+  float t36 = min(abs(t35), 105.35837f);
+  bool is_37 = 64.0f <= t36;
+  bool is_38 = t35 < 0.0f;
+  float t39 = is_37 ? t36 - 64.0f : t36;
+  bool is_40 = 32.0f <= t39;
+  float t41 = is_40 ? t39 - 32.0f : t39;
+  bool is_42 = 16.0f <= t41;
+  float t43 = is_42 ? t41 - 16.0f : t41;
+  bool is_44 = 8.0f <= t43;
+  float t45 = is_44 ? t43 - 8.0f : t43;
+  bool is_46 = 4.0f <= t45;
+  float t47 = is_46 ? t45 - 4.0f : t45;
+  bool is_48 = 2.0f <= t47;
+  float t49 = is_48 ? t47 - 2.0f : t47;
+  bool is_50 = 1.0f <= t49;
+  float t51 = is_50 ? t49 - 1.0f : t49;
+  bool is_52 = 0.5f <= t51;
+  float t53 = is_52 ? t51 - 0.5f : t51;
+  bool is_54 = 0.25f <= t53;
+  float t55 = is_40 ? 1.2664166e-14f : 1.0f;
+  float t56 = is_42 ? t55 * 1.12535176e-07f : t55;
+  float t57 = is_44 ? t56 * 0.00033546262f : t56;
+  float t58 = is_46 ? t57 * 0.01831564f : t57;
+  float t59 = is_48 ? t58 * 0.13533528f : t58;
+  float t60 = is_50 ? t59 * 0.36787945f : t59;
+  float t61 = is_52 ? t60 * 0.60653067f : t60;
+  float t62 = is_54 ? t53 - 0.25f : t53;
+  float t63 = 0.16666667f - t62 * (0.041666668f - t62 * (0.008333334f - t62 * 0.0013888889f));
+  float t64 = (is_54 ? t61 * 0.7788008f : t61) * (1.0f - t62 * (1.0f - t62 * (0.5f - t62 * t63)));
+  float t65 = is_38 ? t64 : 1.0f / t64;
+  float t66 = is_37 ? t65 * (is_38 ? 1.6038109e-28f : 6.235149e+27f) : t65;
+  float t67 = sharpness < 1.0f ? t33 : (1.0f - t66) / (t34 + t34);
+  z[0] = 3.5449078f * t67;
+  bool is_68 = 12.5f < sharpness;
+  float t69 = ((1.0f + t66) * 0.5f - t67) / t34;
+  float t70 = t67 * t27;
+  z[1] = 6.1399603f * (is_68 ? t69 : t70);
+  float t71 = t67 - 3.0f / t34 * t69;
+  float t72 = t70 * t26;
+  z[2] = 7.926655f * (is_68 ? t71 : t72);
+  float t73 = t69 - 5.0f / t34 * t71;
+  float t74 = t72 * t25;
+  z[3] = 9.378944f * (is_68 ? t73 : t74);
+  z[4] = 10.634723f * (is_68 ? t71 - 7.0f / t34 * t73 : t74 * t24);
+}
+#endif
+
+#ifndef ZONAL_PROJECT_SPHERE_2
+#define ZONAL_PROJECT_SPHERE_2
+// A sphere light of radiance 1, seen from a receiver.
+// 51 operations: 9 additions, 20 multiplications, 2 divisions, 2 square roots, 18 comparisons and choices.
+void zonal_project_sphere_2(vec3 center, float radius, vec3 receiver, out float sh[4]) {
+  float t0 = min(max(center.x - receiver.x, -4.611686e+18f), 4.611686e+18f);
+  float t1 = min(max(center.y - receiver.y, -4.611686e+18f), 4.611686e+18f);
+  float t2 = min(max(center.z - receiver.z, -4.611686e+18f), 4.611686e+18f);
+  float t3 = t0 * t0 + t1 * t1 + t2 * t2;
+  float t4 = sqrt(max(t3, 5.421011e-20f));
+  float t5 = 1.0f / t4;
+  float t6 = min(radius * t5, 1.0f);
+  float t7 = sqrt(max(t4 - radius, 0.0f) * t5 * (1.0f + t6));
+  float t8 = abs(t7);
+  float t9 = t6 * t6;
+  float t10 = 1.0f + t8;
+  float t11 = 3.1415927f * (2.0f * (0.0f < t7 ? (t8 < 0.5f ? 1.0f - t8 : t9 / t10) : t10));
+  sh[0] = t11 * 0.2820948f;
+  float t12 = 3.1415927f * t9;
+  bool is_13 = t3 < 5.421011e-20f;
+  sh[1] = t12 * (-0.48860252f * (is_13 ? 0.0f : t1 * t5));
+  sh[2] = t12 * (0.48860252f * (is_13 ? 1.0f : t2 * t5));
+  sh[3] = t12 * (-0.48860252f * (is_13 ? 0.0f : t0 * t5));
+}
+#endif
+
+#ifndef ZONAL_PROJECT_SPHERE_3
+#define ZONAL_PROJECT_SPHERE_3
+// A sphere light of radiance 1, seen from a receiver.
+// 79 operations: 16 additions, 38 multiplications, 2 divisions, 2 square roots, 21 comparisons and choices.
+void zonal_project_sphere_3(vec3 center, float radius, vec3 receiver, out float sh[9]) {
+  float t0 = min(max(center.x - receiver.x, -4.611686e+18f), 4.611686e+18f);
+  float t1 = min(max(center.y - receiver.y, -4.611686e+18f), 4.611686e+18f);
+  float t2 = min(max(center.z - receiver.z, -4.611686e+18f), 4.611686e+18f);
+  float t3 = t0 * t0 + t1 * t1 + t2 * t2;
+  float t4 = sqrt(max(t3, 5.421011e-20f));
+  float t5 = 1.0f / t4;
+  float t6 = min(radius * t5, 1.0f);
+  float t7 = sqrt(max(t4 - radius, 0.0f) * t5 * (1.0f + t6));
+  bool is_8 = 0.0f < t7;
+  float t9 = abs(t7);
+  float t10 = t6 * t6;
+  float t11 = 1.0f + t9;
+  float t12 = t9 < 0.5f ? 1.0f - t9 : t10 / t11;
+  sh[0] = 3.1415927f * (2.0f * (is_8 ? t12 : t11)) * 0.2820948f;
+  float t13 = 3.1415927f * t10;
+  bool is_14 = t3 < 5.421011e-20f;
+  float t15 = is_14 ? 0.0f : t1 * t5;
+  sh[1] = t13 * (-0.48860252f * t15);
+  float t16 = is_14 ? 1.0f : t2 * t5;
+  sh[2] = t13 * (0.48860252f * t16);
+  float t17 = is_14 ? 0.0f : t0 * t5;
+  sh[3] = t13 * (-0.48860252f * t17);
+  float t18 = 0.33333334f < t9 ? t10 : 0.0f;
+  float t19 = 3.1415927f * ((is_8 ? 1.0f : -1.0f) * (t18 + (t10 - t18 + -(t12 * t10))));
+  float t20 = t15 * t17;
+  sh[4] = t19 * (0.54627424f * (t20 + t20));
+  float t21 = -1.0925485f * t16;
+  sh[5] = t19 * (t21 * t15);
+  sh[6] = t19 * (0.9461747f * (t16 * t16) + -0.31539157f);
+  sh[7] = t19 * (t21 * t17);
+  sh[8] = t19 * (0.54627424f * (t17 * t17 - t15 * t15));
+}
+#endif
+
+#ifndef ZONAL_PROJECT_SPHERE_4
+#define ZONAL_PROJECT_SPHERE_4
+// A sphere light of radiance 1, seen from a receiver.
+// 111 operations: 23 additions, 63 multiplications, 2 divisions, 2 square roots, 21 comparisons and choices.
+void zonal_project_sphere_4(vec3 center, float radius, vec3 receiver, out float sh[16]) {
+  float t0 = min(max(center.x - receiver.x, -4.611686e+18f), 4.611686e+18f);
+  float t1 = min(max(center.y - receiver.y, -4.611686e+18f), 4.611686e+18f);
+  float t2 = min(max(center.z - receiver.z, -4.611686e+18f), 4.611686e+18f);
+  float t3 = t0 * t0 + t1 * t1 + t2 * t2;
+  float t4 = sqrt(max(t3, 5.421011e-20f));
+  float t5 = 1.0f / t4;
+  float t6 = min(radius * t5, 1.0f);
+  float t7 = sqrt(max(t4 - radius, 0.0f) * t5 * (1.0f + t6));
+  bool is_8 = 0.0f < t7;
+  float t9 = abs(t7);
+  float t10 = t6 * t6;
+  float t11 = 1.0f + t9;
+  float t12 = t9 < 0.5f ? 1.0f - t9 : t10 / t11;
+  sh[0] = 3.1415927f * (2.0f * (is_8 ? t12 : t11)) * 0.2820948f;
+  float t13 = 3.1415927f * t10;
+  bool is_14 = t3 < 5.421011e-20f;
+  float t15 = is_14 ? 0.0f : t1 * t5;
+  sh[1] = t13 * (-0.48860252f * t15);
+  float t16 = is_14 ? 1.0f : t2 * t5;
+  sh[2] = t13 * (0.48860252f * t16);
+  float t17 = is_14 ? 0.0f : t0 * t5;
+  sh[3] = t13 * (-0.48860252f * t17);
+  float t18 = 0.625f < t9 ? t10 : 0.0f;
+  float t19 = -(t12 * t10);
+  float t20 = t10 - t18 + t19;
+  float t21 = t18 + t20;
+  float t22 = 3.1415927f * ((is_8 ? 1.0f : -1.0f) * t21);
+  float t23 = t15 * t17;
+  float t24 = t23 + t23;
+  sh[4] = t22 * (0.54627424f * t24);
+  float t25 = -1.0925485f * t16;
+  sh[5] = t22 * (t25 * t15);
+  float t26 = t16 * t16;
+  sh[6] = t22 * (0.9461747f * t26 + -0.31539157f);
+  sh[7] = t22 * (t25 * t17);
+  float t27 = t17 * t17 - t15 * t15;
+  sh[8] = t22 * (0.54627424f * t27);
+  float t28 = 3.1415927f * (t18 + (t20 + (0.25f * t19 - 1.25f * (t12 * t21))));
+  sh[9] = t28 * (-0.5900436f * (t17 * t24 + t15 * t27));
+  float t29 = 1.4453057f * t16;
+  sh[10] = t28 * (t29 * t24);
+  float t30 = -2.285229f * t26 + 0.4570458f;
+  sh[11] = t28 * (t30 * t15);
+  sh[12] = t28 * (t16 * (1.8658817f * t26 + -1.119529f));
+  sh[13] = t28 * (t30 * t17);
+  sh[14] = t28 * (t29 * t27);
+  sh[15] = t28 * (-0.5900436f * (t17 * t27 - t15 * t24));
+}
+#endif
+
+#ifndef ZONAL_PROJECT_SPHERE_5
+#define ZONAL_PROJECT_SPHERE_5
+// A sphere light of radiance 1, seen from a receiver.
+// 152 operations: 31 additions, 96 multiplications, 2 divisions, 2 square roots, 21 comparisons and choices.
+void zonal_project_sphere_5(vec3 center, float radius, vec3 receiver, out float sh[25]) {
+  float t0 = min(max(center.x - receiver.x, -4.611686e+18f), 4.611686e+18f);
+  float t1 = min(max(center.y - receiver.y, -4.611686e+18f), 4.611686e+18f);
+  float t2 = min(max(center.z - receiver.z, -4.611686e+18f), 4.611686e+18f);
+  float t3 = t0 * t0 + t1 * t1 + t2 * t2;
+  float t4 = sqrt(max(t3, 5.421011e-20f));
+  float t5 = 1.0f / t4;
+  float t6 = min(radius * t5, 1.0f);
+  float t7 = sqrt(max(t4 - radius, 0.0f) * t5 * (1.0f + t6));
+  bool is_8 = 0.0f < t7;
+  float t9 = abs(t7);
+  float t10 = t6 * t6;
+  float t11 = 1.0f + t9;
+  float t12 = t9 < 0.5f ? 1.0f - t9 : t10 / t11;
+  sh[0] = 3.1415927f * (2.0f * (is_8 ? t12 : t11)) * 0.2820948f;
+  float t13 = 3.1415927f * t10;
+  bool is_14 = t3 < 5.421011e-20f;
+  float t15 = is_14 ? 0.0f : t1 * t5;
+  sh[1] = t13 * (-0.48860252f * t15);
+  float t16 = is_14 ? 1.0f : t2 * t5;
+  sh[2] = t13 * (0.48860252f * t16);
+  float t17 = is_14 ? 0.0f : t0 * t5;
+  sh[3] = t13 * (-0.48860252f * t17);
+  float t18 = is_8 ? 1.0f : -1.0f;
+  float t19 = 0.76f < t9 ? t10 : 0.0f;
+  float t20 = -(t12 * t10);
+  float t21 = t10 - t19 + t20;
+  float t22 = t19 + t21;
+  float t23 = 3.1415927f * (t18 * t22);
+  float t24 = t15 * t17;
+  float t25 = t24 + t24;
+  sh[4] = t23 * (0.54627424f * t25);
+  float t26 = -1.0925485f * t16;
+  sh[5] = t23 * (t26 * t15);
+  float t27 = t16 * t16;
+  float t28 = 0.9461747f * t27 + -0.31539157f;
+  sh[6] = t23 * t28;
+  sh[7] = t23 * (t26 * t17);
+  float t29 = t17 * t17 - t15 * t15;
+  sh[8] = t23 * (0.54627424f * t29);
+  float t30 = 0.25f * t20 - 1.25f * (t12 * t22);
+  float t31 = t21 + t30;
+  float t32 = t19 + t31;
+  float t33 = 3.1415927f * t32;
+  float t34 = t17 * t25 + t15 * t29;
+  sh[9] = t33 * (-0.5900436f * t34);
+  float t35 = 1.4453057f * t16;
+  sh[10] = t33 * (t35 * t25);
+  float t36 = -2.285229f * t27 + 0.4570458f;
+  sh[11] = t33 * (t36 * t15);
+  float t37 = t16 * (1.8658817f * t27 + -1.119529f);
+  sh[12] = t33 * t37;
+  sh[13] = t33 * (t36 * t17);
+  sh[14] = t33 * (t35 * t29);
+  float t38 = t17 * t29 - t15 * t25;
+  sh[15] = t33 * (-0.5900436f * t38);
+  float t39 = 3.1415927f * (t18 * (t19 + (t31 + (0.4f * t30 - 1.4f * (t12 * t32)))));
+  sh[16] = t39 * (0.6258357f * (t17 * t34 + t15 * t38));
+  float t40 = -1.7701308f * t16;
+  sh[17] = t39 * (t40 * t34);
+  float t41 = 3.3116114f * t27 + -0.47308734f;
+  sh[18] = t39 * (t41 * t25);
+  float t42 = t16 * (-4.683326f * t27 + 2.0071397f);
+  sh[19] = t39 * (t42 * t15);
+  sh[20] = t39 * (1.9843135f * t16 * t37 - 1.0062306f * t28);
+  sh[21] = t39 * (t42 * t17);
+  sh[22] = t39 * (t41 * t29);
+  sh[23] = t39 * (t40 * t38);
+  sh[24] = t39 * (0.6258357f * (t17 * t38 - t15 * t34));
+}
+#endif

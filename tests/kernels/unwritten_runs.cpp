@@ -1,0 +1,8 @@
+#include "kernel_runs.hpp"
+
+void append_unwritten_runs(std::vector<KernelRuns>& kernels) {
+  zonal::kernels::for_each_kernel(zonal::kernels::UnwrittenKernels{}, [&](auto entry) {
+    using Entry = decltype(entry);
+    kernels.push_back(runs_of<Entry>(zonal::shader::record < Entry, Entry::has_bands ? run_bands : 1 >));
+  });
+}

@@ -1,0 +1,122 @@
+// Every function at every number of bands on the driver, against its record (which record_test.cpp compares with C++):
+// to the bit where the driver computes on the CPU.
+#include <zonal/shader/file_text.hpp>
+
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <string_view>
+
+#include "../catch.hpp"
+#include "caller.hpp"
+#include "compare.hpp"
+#include "driver.hpp"
+#include "inputs.hpp"
+#include "interpret.hpp"
+#include "shader_functions.hpp"
+
+namespace {
+
+using zonal::shader::all_orders;
+using zonal::shader::FunctionEntry;
+using zonal::shader::RecordedFunction;
+
+constexpr unsigned group_size = 64, groups = 8;
+constexpr std::size_t samples = group_size * groups;
+
+/// A compute shader that calls the function once per invocation.
+std::string shader(const RecordedFunction& function, const zonal::shader::TextOptions& options) {
+  const zonal::shader::Dialect& glsl = *zonal::shader::find_dialect("glsl450");
+  return "#version 450\nlayout(local_size_x = " + std::to_string(group_size) +
+         ") in;\n"
+         "layout(std430, binding = 0) readonly buffer Numbers { float numbers[]; };\n"
+         "layout(std430, binding = 1) writeonly buffer Results { float results[]; };\n" +
+         function_text(function, glsl, options) + caller_text(function, "uint", options) +
+         "void main() {\n  uint i = gl_GlobalInvocationID.x;\n  call_" + function.name + "(i * " +
+         std::to_string(input_count(function)) + "u, i * " + std::to_string(output_count(function)) + "u);\n}\n";
+}
+
+std::vector<float> run_on_driver(Driver& driver, const RecordedFunction& function, const std::vector<float>& numbers,
+                                 const zonal::shader::TextOptions& options) {
+  const unsigned program = driver.compile(shader(function, options));
+  const auto count = samples * static_cast<std::size_t>(output_count(function));
+  const unsigned in = driver.make_buffer(numbers.empty() ? std::vector<float>(1) : numbers);
+  const unsigned out = driver.make_buffer(std::vector<float>(count, std::numeric_limits<float>::quiet_NaN()));
+  driver.run(program, {in, out}, groups);
+  const std::vector<float> results = driver.read_buffer(out, count);
+  driver.delete_buffer(in);
+  driver.delete_buffer(out);
+  driver.delete_program(program);
+  return results;
+}
+
+/// The function on the driver against its record, an operation at a time.
+void check(Driver& driver, const RecordedFunction& function, int bands, const zonal::shader::TextOptions& options) {
+  InputSampler sampler(7, bands);
+  std::vector<std::vector<float>> inputs;
+  std::vector<float> numbers;
+  for (std::size_t i = 0; i < samples; ++i) {
+    inputs.push_back(sampler.draw(function.parameters));
+    numbers.insert(numbers.end(), inputs.back().begin(), inputs.back().end());
+  }
+  INFO(function.name);
+  const std::vector<float> results = run_on_driver(driver, function, numbers, options);
+  const auto count = static_cast<std::size_t>(output_count(function));
+  for (std::size_t i = 0; i < samples; ++i) {
+    const std::vector<float> given(results.begin() + static_cast<std::ptrdiff_t>(i * count),
+                                   results.begin() + static_cast<std::ptrdiff_t>((i + 1) * count));
+    require_equal(given, interpret(function, inputs[i]), driver.is_software(), [&] { return inputs[i]; });
+  }
+}
+
+/// select(driver, entry, bands, options) for every function at some numbers of bands, if it has any. The driver takes
+/// long to compile large ones.
+template <class Select>
+void check_all(std::initializer_list<int> numbers_of_bands, Select select, zonal::shader::TextOptions options = {}) {
+  Driver* driver = driver_or_skip();
+  if (driver == nullptr) return;
+  options.precise = true;
+  for (const FunctionEntry& entry : zonal_glsl::shader_functions()) {
+    for (const int bands : numbers_of_bands) {
+      if (bands > zonal::shader::max_bands) continue;
+      select(*driver, entry, bands, options);
+      if (!entry.has_bands) break;
+    }
+  }
+}
+void check_all_at_two_bands(const zonal::shader::TextOptions& options) {
+  check_all(
+      {2},
+      [](Driver& driver, const FunctionEntry& entry, int bands, const auto& text) {
+        check(driver, entry.record(bands, all_orders), bands, text);
+      },
+      options);
+}
+
+}  // namespace
+
+// The functions for colours repeat the others' operations, three times: at 2 bands.
+TEST_CASE("Every function, at 1 to 3 and 10 bands, is on the driver what its record is") {
+  check_all({1, 2, 3, 10}, [](Driver& driver, const FunctionEntry& entry, int bands, const auto& options) {
+    const bool is_colour = entry.name.find("_colour") != std::string_view::npos;
+    if (!is_colour || bands == 2) check(driver, entry.record(bands, all_orders), bands, options);
+  });
+}
+
+TEST_CASE("Every pair of orders, at 1 to 3 and 5 bands, is on the driver what its record is") {
+  check_all({1, 2, 3, 5}, [](Driver& driver, const FunctionEntry& entry, int bands, const auto& options) {
+    for (int m = 0; m < entry.order_count(bands); ++m) check(driver, entry.record(bands, m), bands, options);
+  });
+}
+
+TEST_CASE("With a temporary for every operation the driver computes the same") {
+  zonal::shader::TextOptions options;
+  options.compound = false;
+  check_all_at_two_bands(options);
+}
+
+TEST_CASE("Without arrays the driver computes the same") {
+  zonal::shader::TextOptions options;
+  options.flat = true;
+  check_all_at_two_bands(options);
+}

@@ -1,0 +1,230 @@
+// A whole gather and a whole grid on the driver, by the compute shaders of docs/examples, against the same loops over
+// the same kernels in C++.
+#include <zonal/grid/add_lights.hpp>
+#include <zonal/grid/interpolate.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <random>
+#include <type_traits>
+
+#include "../catch.hpp"
+#include "compare.hpp"
+#include "cpp_functions.hpp"
+#include "driver.hpp"
+#include "example.hpp"
+#include "scenes.hpp"
+#include "shader_functions.hpp"
+
+namespace {
+
+using zonal::shader::all_orders;
+
+/// The orders that a shell sums apart: all at once, or one after the other.
+std::vector<int> orders_of(const std::string& shell, const char* function, int bands) {
+  if (shell.find("reversed") == std::string::npos) return {all_orders};
+  std::vector<int> orders;
+  for (int m = 0; m < zonal_glsl::find_function(function)->order_count(bands); ++m) orders.push_back(m);
+  return orders;
+}
+
+template <class Range>
+void append(std::vector<float>& to, const Range& range) {
+  to.insert(to.end(), std::begin(range), std::end(range));
+}
+std::vector<float> slice(const std::vector<float>& from, std::size_t first, std::size_t count) {
+  return {from.begin() + static_cast<std::ptrdiff_t>(first), from.begin() + static_cast<std::ptrdiff_t>(first + count)};
+}
+
+/// What the shell's loop over lights gives at receiver number i.
+std::vector<float> gather_in_cpp(const GatherScene& scene, const std::string& shell, int bands, std::size_t i) {
+  const std::size_t row = 3 * static_cast<std::size_t>(zonal::even_index(bands, 0));
+  float sum[3] = {0, 0, 0};
+  for (const int order : orders_of(shell, "hvl_radiance", bands)) {
+    for (std::size_t light = 0; light < scene.light_count; ++light) {
+      const std::size_t at = light * GatherScene::light_size;
+      std::vector<float> inputs = slice(scene.lights, at, 10);
+      constexpr std::size_t emission = (GatherScene::light_size - 10) / 3;
+      for (std::size_t k = 0; k < emission; ++k) {
+        for (std::size_t c = 0; c < 3; ++c) inputs.push_back(scene.lights[at + 10 + c * emission + k]);
+      }
+      append(inputs, slice(scene.receivers, 9 * i, 9));
+      append(inputs, slice(scene.materials, row * i, row));
+      const std::vector<float> radiance = run_in_cpp("hvl_radiance", bands, order, inputs);
+      for (std::size_t c = 0; c < 3; ++c) sum[c] = sum[c] + radiance[c];
+    }
+  }
+  return {std::max(sum[0], 0.0F), std::max(sum[1], 0.0F), std::max(sum[2], 0.0F)};
+}
+
+void check_gather(Driver& driver, const std::string& shell, int bands) {
+  CAPTURE(shell, bands);
+  const GatherScene scene(bands, 20, 100);
+  const std::vector<float> image = run_gather(driver, scene, gather_example(bands, shell)).values;
+  for (std::size_t i = 0; i < scene.receiver_count; ++i) {
+    require_equal(slice(image, 3 * i, 3), gather_in_cpp(scene, shell, bands, i), driver.is_software(),
+                  [&] { return slice(scene.receivers, 9 * i, 9); });
+  }
+}
+
+/// Value and gradient at a vertex, in one colour channel: N*N numbers, and N*N triples.
+std::vector<float> vertex_in_cpp(const GridScene& scene, const std::string& shell, int bands, const glm::vec3& vertex,
+                                 std::size_t channel) {
+  const auto size = [](int count) { return static_cast<std::size_t>(count); };
+  const std::size_t value = size(bands * bands), up = size((bands + 1) * (bands + 1));
+  const std::size_t down = size(std::max((bands - 1) * (bands - 1), 1));
+  std::vector<float> sums(value + up + down);
+  for (const int order : orders_of(shell, "add_sphere", bands)) {
+    for (std::size_t light = 0; light < scene.light_count; ++light) {
+      const std::size_t at = light * GridScene::light_size;
+      std::vector<float> inputs = slice(scene.lights, at, 4);
+      inputs.push_back(scene.lights[at + 4 + channel]);
+      append(inputs, std::vector<float>{vertex.x, vertex.y, vertex.z});
+      append(inputs, sums);
+      sums = run_in_cpp("add_sphere", bands, order, inputs);
+    }
+  }
+  std::vector<float> result = slice(sums, 0, value);
+  append(result, run_in_cpp("finish_sums", bands, all_orders, slice(sums, value, up + down)));
+  return result;
+}
+
+void check_grid(Driver& driver, const std::string& shell, int bands) {
+  CAPTURE(shell, bands);
+  const GridScene scene(10, {3, 4, 2});
+  const std::vector<float> grid = run_grid(driver, scene, bands, grid_example(bands, shell)).values;
+  const auto count = static_cast<std::size_t>(bands * bands);
+  for (std::size_t vertex = 0; vertex < scene.vertex_count(); ++vertex) {
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      std::vector<float> given(4 * count);
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto block = [&](std::size_t b) { return grid[(vertex * 4 + b) * 3 * count + 3 * i + channel]; };
+        given[i] = block(0);
+        for (std::size_t axis = 0; axis < 3; ++axis) given[count + 3 * i + axis] = block(axis + 1);
+      }
+      require_equal(given, vertex_in_cpp(scene, shell, bands, scene.position(vertex), channel), driver.is_software(),
+                    [&] {
+                      return std::vector<std::size_t>{vertex, channel};
+                    });
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("A gather of virtual lights on the driver is that of C++") {
+  Driver* driver = driver_or_skip();
+  if (driver == nullptr) return;
+  for (const int bands : {1, 3, 6}) {
+    for (const char* shell : {"gather", "gather_reversed"}) check_gather(*driver, shell, bands);
+  }
+}
+
+TEST_CASE("A grid filled on the driver is that of C++") {
+  Driver* driver = driver_or_skip();
+  if (driver == nullptr) return;
+  for (const int bands : {1, 2, 6}) {
+    for (const char* shell : {"sum_lights", "sum_lights_reversed"}) check_grid(*driver, shell, bands);
+  }
+}
+
+// The whole gradients: the shader does not limit them as add_lights does (grid/gradient_limit.hpp).
+TEST_CASE("A grid filled on the driver is that of the lights one by one, to rounding") {
+  Driver* driver = driver_or_skip();
+  if (driver == nullptr) return;
+  constexpr int N = 4;
+  const GridScene scene(10, {3, 4, 2});
+  zonal::CoefficientGrid<N> grid(scene.low, scene.high, scene.resolution);
+  for (std::size_t vertex = 0; vertex < scene.vertex_count(); ++vertex) {
+    zonal::ShGradient<N, glm::vec3> sum{};
+    for (std::size_t i = 0; i < scene.light_count; ++i) {
+      const float* f = &scene.lights[i * GridScene::light_size];
+      const auto one =
+          zonal::project_with_gradient<N>(zonal::SphereLight<float>{{f[0], f[1], f[2]}, f[3]}, scene.position(vertex));
+      for (int k = 0; k < N * N; ++k) {
+        const glm::vec3 colour(f[4], f[5], f[6]);
+        sum.value[k] += one.value[k] * colour;
+        for (int axis = 0; axis < 3; ++axis) sum.gradient[axis][k] += one.gradient[axis][k] * colour;
+      }
+    }
+    const auto number = static_cast<int>(vertex);
+    const glm::ivec3 size = scene.resolution;
+    grid.set({number % size.x, number / size.x % size.y, number / size.x / size.y}, sum);
+  }
+  const std::vector<float> given = run_grid(*driver, scene, N, grid_example(N, "sum_lights_reversed")).values;
+  const std::vector<float> expected(grid.data(), grid.data() + grid.size());
+  require_equal(given, expected, false, [] { return N; });
+}
+
+TEST_CASE("What interpolates a grid and what reconstructs colours fit together, as in C++ to rounding") {
+  Driver* driver = driver_or_skip();
+  if (driver == nullptr) return;
+  constexpr int N = 2;
+  const GridScene scene(10, {3, 4, 2});
+  zonal::CoefficientGrid<N> grid(scene.low, scene.high, scene.resolution);
+  SceneRandom random(13);
+  for (std::size_t i = 0; i < grid.size(); ++i) grid.data()[i] = random.uniform(-1, 1);
+  // Positions within the grid and some outside, and normals.
+  constexpr std::size_t count = 64;
+  std::vector<float> places;
+  for (std::size_t i = 0; i < count; ++i) {
+    SceneRandom::append(places, random.vector(-1.2F, 1.2F));
+    SceneRandom::append(places, random.direction());
+  }
+  const auto check = [&](const std::string& method, auto interpolation) {
+    zonal_glsl::Request request;
+    request.functions = {"interpolate_" + method, "reconstruct_lambert_colour", "reconstruct_colour@1"};
+    request.bands = N;
+    const std::string source =
+        "#version 450\nlayout(local_size_x = 64) in;\n"
+        "layout(std430, binding = 0) readonly buffer Grid { float grid[]; };\n"
+        "layout(std430, binding = 1) readonly buffer Places { float places[]; };\n"
+        "layout(std430, binding = 2) writeonly buffer Results { float results[]; };\n"
+        "#define ZONAL_GRID(i) grid[i]\n" +
+        zonal_glsl::shader_file(request, *zonal::shader::find_dialect("glsl450")) +
+        "void main() {\n"
+        "  uint i = 6u * gl_GlobalInvocationID.x;\n"
+        "  vec3 position = vec3(places[i], places[i + 1u], places[i + 2u]);\n"
+        "  vec3 normal = vec3(places[i + 3u], places[i + 4u], places[i + 5u]);\n"
+        "  vec3 sh[4];\n"
+        "  zonal_interpolate_" +
+        method +
+        "_2(position, vec3(-1.0), vec3(1.0), uvec3(3u, 4u, 2u), sh);\n"
+        "  vec3 reflected = zonal_reconstruct_lambert_colour_2(sh, normal);\n"
+        "  vec3 smooth_ = zonal_reconstruct_colour_1(vec3[1](sh[0]), normal);\n"
+        "  for (int c = 0; c < 3; ++c) {\n"
+        "    results[i + uint(c)] = reflected[c];\n"
+        "    results[i + 3u + uint(c)] = smooth_[c];\n"
+        "  }\n"
+        "}\n";
+    const unsigned program = driver->compile(source);
+    const unsigned in = driver->make_buffer(std::vector<float>(grid.data(), grid.data() + grid.size()));
+    const unsigned where = driver->make_buffer(places);
+    const unsigned out = driver->make_buffer(std::vector<float>(6 * count, std::numeric_limits<float>::quiet_NaN()));
+    driver->run(program, {in, where, out}, 1);
+    std::vector<float> expected;
+    for (std::size_t i = 0; i < count; ++i) {
+      const float* p = &places[6 * i];
+      const auto sh = zonal::interpolate<decltype(interpolation)::value>(grid, glm::vec3(p[0], p[1], p[2]));
+      const glm::vec3 normal(p[3], p[4], p[5]);
+      const zonal::Sh<1, glm::vec3> smooth{{sh[0]}};
+      SceneRandom::append(expected, zonal::reconstruct_convolved(sh, zonal::LambertLobe{}, normal));
+      SceneRandom::append(expected, zonal::reconstruct(smooth, normal));
+    }
+    require_equal(driver->read_buffer(out, 6 * count), expected, false, [&] { return method; });
+    for (const unsigned buffer : {in, where, out}) driver->delete_buffer(buffer);
+    driver->delete_program(program);
+  };
+  check("trilinear", std::integral_constant<zonal::Interpolation, zonal::Interpolation::trilinear>{});
+  check("hermite", std::integral_constant<zonal::Interpolation, zonal::Interpolation::hermite>{});
+}
+
+TEST_CASE("A gather of 10 bands compiles in less than 10 s") {
+  Driver* driver = driver_or_skip();
+  if (driver == nullptr) return;
+  const auto start = std::chrono::steady_clock::now();
+  run_gather(*driver, GatherScene(10, 1, 1), gather_example(10, "gather"));
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  CHECK(seconds < 10);
+}

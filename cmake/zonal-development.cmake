@@ -10,9 +10,12 @@ target_compile_options(zonal_warnings INTERFACE
 target_compile_options(zonal_warnings INTERFACE
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-uninitialized;-Wno-maybe-uninitialized>)
 
-# What more optimisation takes to compile is more than it saves when the tests run. test_built_kernels is at -O3 always.
+# What more optimisation takes to compile is more than it saves when the tests run, and so is what kernels that melt into
+# their callers take (scalar.hpp). test_built_kernels has both always: zonal_optimised.
+add_library(zonal_quick INTERFACE)
 if(ZONAL_QUICK AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   set(CMAKE_CXX_FLAGS_RELEASE "-O1 -DNDEBUG")
+  target_compile_definitions(zonal_quick INTERFACE ZONAL_INLINE=)
 endif()
 # At -O1 GCC warns of what lies behind branches that it removes at -O2: of std::vector::erase, for one. The release build
 # heeds these warnings.
@@ -30,9 +33,15 @@ endif()
 
 # zonal_own_target(<target>): the settings of every test, benchmark and example.
 function(zonal_own_target target)
-  target_link_libraries(${target} PRIVATE zonal::render zonal_warnings zonal_native)
+  target_link_libraries(${target} PRIVATE zonal::render zonal_warnings zonal_native zonal_quick)
   target_compile_features(${target} PRIVATE cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+endfunction()
+
+# zonal_optimised(<target>): as users build it, whatever the preset.
+function(zonal_optimised target)
+  target_compile_options(${target} PRIVATE
+    $<$<AND:$<CXX_COMPILER_ID:GNU,Clang,AppleClang>,$<CONFIG:Release>>:-O3;-UZONAL_INLINE>)
 endfunction()
 
 # zonal_precompiled(<name> <header> [<option>...]): others' headers, parsed once for all targets of the same options that

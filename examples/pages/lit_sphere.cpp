@@ -35,6 +35,10 @@ int main() {
   }
 
   // A lamp that stands above the horizon in full gives radiance * sin^2(half angle) * cosine.
-  std::printf("towards the lamp: %.3f, exactly %.3f\n", double(zonal::reconstruct(reflected, to_lamp)), 4.0 / 9.0);
+  std::printf("towards the lamp: %.3f of three bands, exactly %.3f\n", double(zonal::reconstruct(reflected, to_lamp)),
+              4.0 / 9.0);
   return picture.flush() ? 0 : 1;
 }
+
+// It prints:
+//   towards the lamp: 0.468 of three bands, exactly 0.444

@@ -30,7 +30,8 @@ void main() {
 
   float value[BANDS * BANDS];
   vec3 gradient[BANDS * BANDS];
-  SUM_LIGHTS(light_count, channel, position, value, gradient);
+  float cell = max(spacing.x, max(spacing.y, spacing.z));
+  SUM_LIGHTS(light_count, channel, position, cell, value, gradient);
 
   // Four blocks per vertex, value and the derivatives by x, y and z; coefficient by coefficient, RGB innermost.
   uint block = uint(3 * BANDS * BANDS), first = vertex * 4u * block + channel;

@@ -80,7 +80,7 @@ std::vector<float> vertex_in_cpp(const GridScene& scene, const std::string& shel
       const std::size_t at = light * GridScene::light_size;
       std::vector<float> inputs = slice(scene.lights, at, 4);
       inputs.push_back(scene.lights[at + 4 + channel]);
-      append(inputs, std::vector<float>{vertex.x, vertex.y, vertex.z});
+      append(inputs, std::vector<float>{vertex.x, vertex.y, vertex.z, scene.cell()});
       append(inputs, sums);
       sums = run_in_cpp("add_sphere", bands, order, inputs);
     }
@@ -129,29 +129,20 @@ TEST_CASE("A grid filled on the driver is that of C++") {
   }
 }
 
-// The whole gradients: the shader does not limit them as add_lights does (grid/gradient_limit.hpp).
-TEST_CASE("A grid filled on the driver is that of the lights one by one, to rounding") {
+TEST_CASE("A grid filled on the driver is that of add_lights, limited gradients and all, to rounding") {
   Driver* driver = driver_or_skip();
   if (driver == nullptr) return;
   constexpr int N = 4;
   const GridScene scene(10, {3, 4, 2});
-  zonal::CoefficientGrid<N> grid(scene.low, scene.high, scene.resolution);
-  for (std::size_t vertex = 0; vertex < scene.vertex_count(); ++vertex) {
-    zonal::ShGradient<N, glm::vec3> sum{};
-    for (std::size_t i = 0; i < scene.light_count; ++i) {
-      const float* f = &scene.lights[i * GridScene::light_size];
-      const auto one =
-          zonal::project_with_gradient<N>(zonal::SphereLight<float>{{f[0], f[1], f[2]}, f[3]}, scene.position(vertex));
-      for (int k = 0; k < N * N; ++k) {
-        const glm::vec3 colour(f[4], f[5], f[6]);
-        sum.value[k] += one.value[k] * colour;
-        for (int axis = 0; axis < 3; ++axis) sum.gradient[axis][k] += one.gradient[axis][k] * colour;
-      }
-    }
-    const auto number = static_cast<int>(vertex);
-    const glm::ivec3 size = scene.resolution;
-    grid.set({number % size.x, number / size.x % size.y, number / size.x / size.y}, sum);
+  std::vector<zonal::ColouredLight<zonal::SphereLight<float>>> lights;
+  for (std::size_t i = 0; i < scene.light_count; ++i) {
+    const float* f = &scene.lights[i * GridScene::light_size];
+    lights.push_back({{{f[0], f[1], f[2]}, f[3]}, {f[4], f[5], f[6]}});
   }
+  zonal::CoefficientGrid<N> grid(scene.low, scene.high, scene.resolution);
+  zonal::add_lights(grid, lights, [](int count, const auto& body) {
+    for (int i = 0; i < count; ++i) body(i);
+  });
   const std::vector<float> given = run_grid(*driver, scene, N, grid_example(N, "sum_lights_reversed")).values;
   const std::vector<float> expected(grid.data(), grid.data() + grid.size());
   require_equal(given, expected, false, [] { return N; });

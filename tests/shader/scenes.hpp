@@ -1,6 +1,8 @@
 // What the compute shaders of docs/examples take, of any size, and how they are run.
 #pragma once
 
+#include <algorithm>
+
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
@@ -77,6 +79,8 @@ struct GridScene {
   }
 
   glm::vec3 spacing() const { return (high - low) / glm::vec3(resolution - 1); }
+  /// The longest side of a cell.
+  float cell() const { return std::max({spacing().x, spacing().y, spacing().z}); }
   std::size_t vertex_count() const { return static_cast<std::size_t>(resolution.x * resolution.y * resolution.z); }
   glm::vec3 position(std::size_t vertex) const {
     const int v = static_cast<int>(vertex);

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 
+#include "../grid/gradient_limit.hpp"
 #include "../grid/interpolation_weights.hpp"
 #include "../grid/light_sums.hpp"
 #include "kernel_io.hpp"
@@ -58,7 +59,7 @@ struct CellPosition : Kernel {
 // few operations more.
 struct AddSphere : Kernel {
   static constexpr const char* name = "add_sphere";
-  static constexpr const char* summary = "Adds a sphere light to the sums at a vertex, in one colour channel.";
+  static constexpr const char* summary = "Adds a sphere light to the sums at a vertex, in one colour channel; cell: the longest side of a cell.";
   static constexpr int order_count(int bands) { return bands + 1; }  // the gradient needs one degree more
   template <int N, class Io>
   static void run(Io& io) {
@@ -66,10 +67,11 @@ struct AddSphere : Kernel {
     const auto light = detail::take_sphere(io);
     const T radiance[3] = {io.number("radiance", Domain::coefficient), T(0), T(0)};
     const auto x = io.vector("receiver", Domain::position);
+    const T cell = io.number("cell", Domain::length);
     const auto value = io.sums("value", value_count<N>);
     const auto up = io.sums("up", up_count<N>), down = io.sums("down", down_count<N>);
     LightSums<N, T> sums;
-    sums.add(light, radiance, x[0], x[1], x[2]);
+    sums.add(see_limited<N>(light, x[0], x[1], x[2], gradient_limit(light, cell)), radiance);
     sums.for_each([&](int l, int m, int channel, const T& v, const T& u, const T& d) {
       if (channel != 0 || !io.keeps(m)) return;
       const int i = sh_index(l, m);

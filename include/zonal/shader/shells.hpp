@@ -142,8 +142,9 @@ template <bool is_reversed>
 std::string sum_lights_text(int bands) {
   const std::string text =
       R"(// Coefficients and gradients at a vertex of all sphere lights, in colour channel 0, 1 or 2; see add_lights
-// (zonal/grid/add_lights.hpp). A light is 7 floats: center, radius, colour.
-void zonal_$NAME_$N($uint light_count, $uint channel, $vec3 vertex, $precise out $float value[$COUNT],
+// (zonal/grid/add_lights.hpp). A light is 7 floats: center, radius, colour. `cell` is the longest side of the grid's cells,
+// which limits gradients (zonal/grid/gradient_limit.hpp).
+void zonal_$NAME_$N($uint light_count, $uint channel, $vec3 vertex, $float cell, $precise out $float value[$COUNT],
     $precise out $vec3 gradient[$COUNT]) {
   $precise $float up[$UP];
   $precise $float down[$DOWN];
@@ -154,7 +155,7 @@ $LOOPS  zonal_finish_sums_$N(up, down, gradient);
   const std::string loop = R"(  for ($uint i = 0u; i < light_count; ++i) {
     $uint at = i * 7u;
     zonal_add_sphere_$N$SUFFIX(vec3(ZONAL_LIGHT(at), ZONAL_LIGHT(at + 1u), ZONAL_LIGHT(at + 2u)), ZONAL_LIGHT(at + 3u),
-        ZONAL_LIGHT(at + 4u + channel), vertex, value, up, down);
+        ZONAL_LIGHT(at + 4u + channel), vertex, cell, value, up, down);
   }
 )";
   return substitute(text, {{"$LOOPS", light_loops(loop, order_suffixes<kernels::AddSphere>(bands, is_reversed))},

@@ -111,14 +111,14 @@ constexpr ShGradient<N, component_t<Direction>> evaluate_polynomial_with_gradien
     by_y(5, 5) = T(root_over_pi<17325, 32>) * x * y * ((x * x) - (y * y));
   }
   if constexpr (N > 6) {
-    by_x(6, -6) =
-        T(root_over_pi<27027, 512>) * y * (T(5) * (x * x * x * x) - T(10) * (x * x) * (y * y) + (y * y * y * y));
-    by_y(6, -6) =
-        T(root_over_pi<27027, 512>) * x * ((x * x * x * x) - T(10) * (x * x) * (y * y) + T(5) * (y * y * y * y));
+    by_x(6, -6) = T(root_over_pi<27027, 512>) * y * (T(5) * (x * x * x * x) - T(10) * (x * x) * (y * y)
+        + (y * y * y * y));
+    by_y(6, -6) = T(root_over_pi<27027, 512>) * x * ((x * x * x * x) - T(10) * (x * x) * (y * y)
+        + T(5) * (y * y * y * y));
     by_x(6, -5) = T(-root_over_pi<225225, 32>) * z * x * y * ((x * x) - (y * y));
     by_y(6, -5) = T(-root_over_pi<225225, 512>) * z * ((x * x * x * x) - T(6) * (x * x) * (y * y) + (y * y * y * y));
-    by_z(6, -5) =
-        T(-root_over_pi<9009, 512>) * y * (T(5) * (x * x * x * x) - T(10) * (x * x) * (y * y) + (y * y * y * y));
+    by_z(6, -5) = T(-root_over_pi<9009, 512>) * y * (T(5) * (x * x * x * x) - T(10) * (x * x) * (y * y)
+        + (y * y * y * y));
     by_x(6, -4) = T(root_over_pi<819, 64>) * (T(11) * (z * z) - T(1)) * y * (T(3) * (x * x) - (y * y));
     by_y(6, -4) = T(root_over_pi<819, 64>) * (T(11) * (z * z) - T(1)) * x * ((x * x) - T(3) * (y * y));
     by_z(6, -4) = T(root_over_pi<99099, 16>) * z * x * y * ((x * x) - (y * y));
@@ -144,297 +144,270 @@ constexpr ShGradient<N, component_t<Direction>> evaluate_polynomial_with_gradien
     by_z(6, 4) = T(root_over_pi<99099, 256>) * z * ((x * x * x * x) - T(6) * (x * x) * (y * y) + (y * y * y * y));
     by_x(6, 5) = T(-root_over_pi<225225, 512>) * z * ((x * x * x * x) - T(6) * (x * x) * (y * y) + (y * y * y * y));
     by_y(6, 5) = T(root_over_pi<225225, 32>) * z * x * y * ((x * x) - (y * y));
-    by_z(6, 5) =
-        T(-root_over_pi<9009, 512>) * x * ((x * x * x * x) - T(10) * (x * x) * (y * y) + T(5) * (y * y * y * y));
-    by_x(6, 6) =
-        T(root_over_pi<27027, 512>) * x * ((x * x * x * x) - T(10) * (x * x) * (y * y) + T(5) * (y * y * y * y));
-    by_y(6, 6) =
-        T(-root_over_pi<27027, 512>) * y * (T(5) * (x * x * x * x) - T(10) * (x * x) * (y * y) + (y * y * y * y));
+    by_z(6, 5) = T(-root_over_pi<9009, 512>) * x * ((x * x * x * x) - T(10) * (x * x) * (y * y)
+        + T(5) * (y * y * y * y));
+    by_x(6, 6) = T(root_over_pi<27027, 512>) * x * ((x * x * x * x) - T(10) * (x * x) * (y * y)
+        + T(5) * (y * y * y * y));
+    by_y(6, 6) = T(-root_over_pi<27027, 512>) * y * (T(5) * (x * x * x * x) - T(10) * (x * x) * (y * y)
+        + (y * y * y * y));
   }
   if constexpr (N > 7) {
-    by_x(7, -7) = T(-root_over_pi<315315, 1024>) * x * y *
-                  (T(3) * (x * x * x * x) - T(10) * (x * x) * (y * y) + T(3) * (y * y * y * y));
-    by_y(7, -7) = T(-root_over_pi<315315, 4096>) * ((x * x * x * x * x * x) - T(15) * (x * x * x * x) * (y * y) +
-                                                    T(15) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
-    by_x(7, -6) =
-        T(root_over_pi<405405, 512>) * z * y * (T(5) * (x * x * x * x) - T(10) * (x * x) * (y * y) + (y * y * y * y));
-    by_y(7, -6) =
-        T(root_over_pi<405405, 512>) * z * x * ((x * x * x * x) - T(10) * (x * x) * (y * y) + T(5) * (y * y * y * y));
-    by_z(7, -6) = T(root_over_pi<45045, 512>) * x * y *
-                  (T(3) * (x * x * x * x) - T(10) * (x * x) * (y * y) + T(3) * (y * y * y * y));
+    by_x(7, -7) = T(-root_over_pi<315315, 1024>) * x * y * (T(3) * (x * x * x * x) - T(10) * (x * x) * (y * y)
+        + T(3) * (y * y * y * y));
+    by_y(7, -7) = T(-root_over_pi<315315, 4096>) * ((x * x * x * x * x * x) - T(15) * (x * x * x * x) * (y * y)
+        + T(15) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
+    by_x(7, -6) = T(root_over_pi<405405, 512>) * z * y * (T(5) * (x * x * x * x) - T(10) * (x * x) * (y * y)
+        + (y * y * y * y));
+    by_y(7, -6) = T(root_over_pi<405405, 512>) * z * x * ((x * x * x * x) - T(10) * (x * x) * (y * y)
+        + T(5) * (y * y * y * y));
+    by_z(7, -6) = T(root_over_pi<45045, 512>) * x * y * (T(3) * (x * x * x * x) - T(10) * (x * x) * (y * y)
+        + T(3) * (y * y * y * y));
     by_x(7, -5) = T(-root_over_pi<86625, 256>) * (T(13) * (z * z) - T(1)) * x * y * ((x * x) - (y * y));
-    by_y(7, -5) = T(-root_over_pi<86625, 4096>) * (T(13) * (z * z) - T(1)) *
-                  ((x * x * x * x) - T(6) * (x * x) * (y * y) + (y * y * y * y));
-    by_z(7, -5) =
-        T(-root_over_pi<585585, 1024>) * z * y * (T(5) * (x * x * x * x) - T(10) * (x * x) * (y * y) + (y * y * y * y));
+    by_y(7, -5) = T(-root_over_pi<86625, 4096>) * (T(13) * (z * z) - T(1))
+        * ((x * x * x * x) - T(6) * (x * x) * (y * y) + (y * y * y * y));
+    by_z(7, -5) = T(-root_over_pi<585585, 1024>) * z * y * (T(5) * (x * x * x * x) - T(10) * (x * x) * (y * y)
+        + (y * y * y * y));
     by_x(7, -4) = T(root_over_pi<3465, 64>) * z * (T(13) * (z * z) - T(3)) * y * (T(3) * (x * x) - (y * y));
     by_y(7, -4) = T(root_over_pi<3465, 64>) * z * (T(13) * (z * z) - T(3)) * x * ((x * x) - T(3) * (y * y));
     by_z(7, -4) = T(root_over_pi<31185, 64>) * (T(13) * (z * z) - T(1)) * x * y * ((x * x) - (y * y));
     by_x(7, -3) = T(-root_over_pi<2835, 1024>) * (T(143) * (z * z * z * z) - T(66) * (z * z) + T(3)) * x * y;
-    by_y(7, -3) =
-        T(-root_over_pi<2835, 4096>) * (T(143) * (z * z * z * z) - T(66) * (z * z) + T(3)) * ((x * x) - (y * y));
+    by_y(7, -3) = T(-root_over_pi<2835, 4096>) * (T(143) * (z * z * z * z) - T(66) * (z * z) + T(3))
+        * ((x * x) - (y * y));
     by_z(7, -3) = T(-root_over_pi<38115, 256>) * z * (T(13) * (z * z) - T(3)) * y * (T(3) * (x * x) - (y * y));
     by_x(7, -2) = T(root_over_pi<315, 512>) * z * (T(143) * (z * z * z * z) - T(110) * (z * z) + T(15)) * y;
     by_y(7, -2) = T(root_over_pi<315, 512>) * z * (T(143) * (z * z * z * z) - T(110) * (z * z) + T(15)) * x;
     by_z(7, -2) = T(root_over_pi<7875, 512>) * (T(143) * (z * z * z * z) - T(66) * (z * z) + T(3)) * x * y;
-    by_y(7, -1) = T(-root_over_pi<105, 4096>) *
-                  (T(429) * (z * z * z * z * z * z) - T(495) * (z * z * z * z) + T(135) * (z * z) - T(5));
+    by_y(7, -1) = T(-root_over_pi<105, 4096>) * (T(429) * (z * z * z * z * z * z) - T(495) * (z * z * z * z)
+        + T(135) * (z * z) - T(5));
     by_z(7, -1) = T(-root_over_pi<8505, 1024>) * z * (T(143) * (z * z * z * z) - T(110) * (z * z) + T(15)) * y;
-    by_z(7, 0) = T(root_over_pi<735, 1024>) *
-                 (T(429) * (z * z * z * z * z * z) - T(495) * (z * z * z * z) + T(135) * (z * z) - T(5));
-    by_x(7, 1) = T(-root_over_pi<105, 4096>) *
-                 (T(429) * (z * z * z * z * z * z) - T(495) * (z * z * z * z) + T(135) * (z * z) - T(5));
+    by_z(7, 0) = T(root_over_pi<735, 1024>) * (T(429) * (z * z * z * z * z * z) - T(495) * (z * z * z * z)
+        + T(135) * (z * z) - T(5));
+    by_x(7, 1) = T(-root_over_pi<105, 4096>) * (T(429) * (z * z * z * z * z * z) - T(495) * (z * z * z * z)
+        + T(135) * (z * z) - T(5));
     by_z(7, 1) = T(-root_over_pi<8505, 1024>) * z * (T(143) * (z * z * z * z) - T(110) * (z * z) + T(15)) * x;
     by_x(7, 2) = T(root_over_pi<315, 512>) * z * (T(143) * (z * z * z * z) - T(110) * (z * z) + T(15)) * x;
     by_y(7, 2) = T(-root_over_pi<315, 512>) * z * (T(143) * (z * z * z * z) - T(110) * (z * z) + T(15)) * y;
-    by_z(7, 2) =
-        T(root_over_pi<7875, 2048>) * (T(143) * (z * z * z * z) - T(66) * (z * z) + T(3)) * ((x * x) - (y * y));
-    by_x(7, 3) =
-        T(-root_over_pi<2835, 4096>) * (T(143) * (z * z * z * z) - T(66) * (z * z) + T(3)) * ((x * x) - (y * y));
+    by_z(7, 2) = T(root_over_pi<7875, 2048>) * (T(143) * (z * z * z * z) - T(66) * (z * z) + T(3))
+        * ((x * x) - (y * y));
+    by_x(7, 3) = T(-root_over_pi<2835, 4096>) * (T(143) * (z * z * z * z) - T(66) * (z * z) + T(3))
+        * ((x * x) - (y * y));
     by_y(7, 3) = T(root_over_pi<2835, 1024>) * (T(143) * (z * z * z * z) - T(66) * (z * z) + T(3)) * x * y;
     by_z(7, 3) = T(-root_over_pi<38115, 256>) * z * (T(13) * (z * z) - T(3)) * x * ((x * x) - T(3) * (y * y));
     by_x(7, 4) = T(root_over_pi<3465, 64>) * z * (T(13) * (z * z) - T(3)) * x * ((x * x) - T(3) * (y * y));
     by_y(7, 4) = T(-root_over_pi<3465, 64>) * z * (T(13) * (z * z) - T(3)) * y * (T(3) * (x * x) - (y * y));
-    by_z(7, 4) = T(root_over_pi<31185, 1024>) * (T(13) * (z * z) - T(1)) *
-                 ((x * x * x * x) - T(6) * (x * x) * (y * y) + (y * y * y * y));
-    by_x(7, 5) = T(-root_over_pi<86625, 4096>) * (T(13) * (z * z) - T(1)) *
-                 ((x * x * x * x) - T(6) * (x * x) * (y * y) + (y * y * y * y));
+    by_z(7, 4) = T(root_over_pi<31185, 1024>) * (T(13) * (z * z) - T(1))
+        * ((x * x * x * x) - T(6) * (x * x) * (y * y) + (y * y * y * y));
+    by_x(7, 5) = T(-root_over_pi<86625, 4096>) * (T(13) * (z * z) - T(1))
+        * ((x * x * x * x) - T(6) * (x * x) * (y * y) + (y * y * y * y));
     by_y(7, 5) = T(root_over_pi<86625, 256>) * (T(13) * (z * z) - T(1)) * x * y * ((x * x) - (y * y));
-    by_z(7, 5) =
-        T(-root_over_pi<585585, 1024>) * z * x * ((x * x * x * x) - T(10) * (x * x) * (y * y) + T(5) * (y * y * y * y));
-    by_x(7, 6) =
-        T(root_over_pi<405405, 512>) * z * x * ((x * x * x * x) - T(10) * (x * x) * (y * y) + T(5) * (y * y * y * y));
-    by_y(7, 6) =
-        T(-root_over_pi<405405, 512>) * z * y * (T(5) * (x * x * x * x) - T(10) * (x * x) * (y * y) + (y * y * y * y));
-    by_z(7, 6) = T(root_over_pi<45045, 2048>) * ((x * x * x * x * x * x) - T(15) * (x * x * x * x) * (y * y) +
-                                                 T(15) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
-    by_x(7, 7) = T(-root_over_pi<315315, 4096>) * ((x * x * x * x * x * x) - T(15) * (x * x * x * x) * (y * y) +
-                                                   T(15) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
-    by_y(7, 7) = T(root_over_pi<315315, 1024>) * x * y *
-                 (T(3) * (x * x * x * x) - T(10) * (x * x) * (y * y) + T(3) * (y * y * y * y));
+    by_z(7, 5) = T(-root_over_pi<585585, 1024>) * z * x * ((x * x * x * x) - T(10) * (x * x) * (y * y)
+        + T(5) * (y * y * y * y));
+    by_x(7, 6) = T(root_over_pi<405405, 512>) * z * x * ((x * x * x * x) - T(10) * (x * x) * (y * y)
+        + T(5) * (y * y * y * y));
+    by_y(7, 6) = T(-root_over_pi<405405, 512>) * z * y * (T(5) * (x * x * x * x) - T(10) * (x * x) * (y * y)
+        + (y * y * y * y));
+    by_z(7, 6) = T(root_over_pi<45045, 2048>) * ((x * x * x * x * x * x) - T(15) * (x * x * x * x) * (y * y)
+        + T(15) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
+    by_x(7, 7) = T(-root_over_pi<315315, 4096>) * ((x * x * x * x * x * x) - T(15) * (x * x * x * x) * (y * y)
+        + T(15) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
+    by_y(7, 7) = T(root_over_pi<315315, 1024>) * x * y * (T(3) * (x * x * x * x) - T(10) * (x * x) * (y * y)
+        + T(3) * (y * y * y * y));
   }
   if constexpr (N > 8) {
-    by_x(8, -8) = T(root_over_pi<109395, 1024>) * y *
-                  (T(7) * (x * x * x * x * x * x) - T(35) * (x * x * x * x) * (y * y) +
-                   T(21) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
-    by_y(8, -8) = T(root_over_pi<109395, 1024>) * x *
-                  ((x * x * x * x * x * x) - T(21) * (x * x * x * x) * (y * y) + T(35) * (x * x) * (y * y * y * y) -
-                   T(7) * (y * y * y * y * y * y));
-    by_x(8, -7) = T(-root_over_pi<5360355, 1024>) * z * x * y *
-                  (T(3) * (x * x * x * x) - T(10) * (x * x) * (y * y) + T(3) * (y * y * y * y));
-    by_y(8, -7) = T(-root_over_pi<5360355, 4096>) * z *
-                  ((x * x * x * x * x * x) - T(15) * (x * x * x * x) * (y * y) + T(15) * (x * x) * (y * y * y * y) -
-                   (y * y * y * y * y * y));
-    by_z(8, -7) = T(-root_over_pi<109395, 4096>) * y *
-                  (T(7) * (x * x * x * x * x * x) - T(35) * (x * x * x * x) * (y * y) +
-                   T(21) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
-    by_x(8, -6) = T(root_over_pi<65637, 2048>) * (T(15) * (z * z) - T(1)) * y *
-                  (T(5) * (x * x * x * x) - T(10) * (x * x) * (y * y) + (y * y * y * y));
-    by_y(8, -6) = T(root_over_pi<65637, 2048>) * (T(15) * (z * z) - T(1)) * x *
-                  ((x * x * x * x) - T(10) * (x * x) * (y * y) + T(5) * (y * y * y * y));
-    by_z(8, -6) = T(root_over_pi<1640925, 512>) * z * x * y *
-                  (T(3) * (x * x * x * x) - T(10) * (x * x) * (y * y) + T(3) * (y * y * y * y));
+    by_x(8, -8) = T(root_over_pi<109395, 1024>) * y * (T(7) * (x * x * x * x * x * x)
+        - T(35) * (x * x * x * x) * (y * y) + T(21) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
+    by_y(8, -8) = T(root_over_pi<109395, 1024>) * x * ((x * x * x * x * x * x) - T(21) * (x * x * x * x) * (y * y)
+        + T(35) * (x * x) * (y * y * y * y) - T(7) * (y * y * y * y * y * y));
+    by_x(8, -7) = T(-root_over_pi<5360355, 1024>) * z * x * y
+        * (T(3) * (x * x * x * x) - T(10) * (x * x) * (y * y) + T(3) * (y * y * y * y));
+    by_y(8, -7) = T(-root_over_pi<5360355, 4096>) * z * ((x * x * x * x * x * x) - T(15) * (x * x * x * x) * (y * y)
+        + T(15) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
+    by_z(8, -7) = T(-root_over_pi<109395, 4096>) * y * (T(7) * (x * x * x * x * x * x)
+        - T(35) * (x * x * x * x) * (y * y) + T(21) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
+    by_x(8, -6) = T(root_over_pi<65637, 2048>) * (T(15) * (z * z) - T(1)) * y
+        * (T(5) * (x * x * x * x) - T(10) * (x * x) * (y * y) + (y * y * y * y));
+    by_y(8, -6) = T(root_over_pi<65637, 2048>) * (T(15) * (z * z) - T(1)) * x
+        * ((x * x * x * x) - T(10) * (x * x) * (y * y) + T(5) * (y * y * y * y));
+    by_z(8, -6) = T(root_over_pi<1640925, 512>) * z * x * y * (T(3) * (x * x * x * x) - T(10) * (x * x) * (y * y)
+        + T(3) * (y * y * y * y));
     by_x(8, -5) = T(-root_over_pi<3828825, 256>) * z * (T(5) * (z * z) - T(1)) * x * y * ((x * x) - (y * y));
-    by_y(8, -5) = T(-root_over_pi<3828825, 4096>) * z * (T(5) * (z * z) - T(1)) *
-                  ((x * x * x * x) - T(6) * (x * x) * (y * y) + (y * y * y * y));
-    by_z(8, -5) = T(-root_over_pi<153153, 4096>) * (T(15) * (z * z) - T(1)) * y *
-                  (T(5) * (x * x * x * x) - T(10) * (x * x) * (y * y) + (y * y * y * y));
-    by_x(8, -4) = T(root_over_pi<11781, 1024>) * (T(65) * (z * z * z * z) - T(26) * (z * z) + T(1)) * y *
-                  (T(3) * (x * x) - (y * y));
-    by_y(8, -4) = T(root_over_pi<11781, 1024>) * (T(65) * (z * z * z * z) - T(26) * (z * z) + T(1)) * x *
-                  ((x * x) - T(3) * (y * y));
+    by_y(8, -5) = T(-root_over_pi<3828825, 4096>) * z * (T(5) * (z * z) - T(1))
+        * ((x * x * x * x) - T(6) * (x * x) * (y * y) + (y * y * y * y));
+    by_z(8, -5) = T(-root_over_pi<153153, 4096>) * (T(15) * (z * z) - T(1)) * y
+        * (T(5) * (x * x * x * x) - T(10) * (x * x) * (y * y) + (y * y * y * y));
+    by_x(8, -4) = T(root_over_pi<11781, 1024>) * (T(65) * (z * z * z * z) - T(26) * (z * z) + T(1)) * y
+        * (T(3) * (x * x) - (y * y));
+    by_y(8, -4) = T(root_over_pi<11781, 1024>) * (T(65) * (z * z * z * z) - T(26) * (z * z) + T(1)) * x
+        * ((x * x) - T(3) * (y * y));
     by_z(8, -4) = T(root_over_pi<1990989, 64>) * z * (T(5) * (z * z) - T(1)) * x * y * ((x * x) - (y * y));
     by_x(8, -3) = T(-root_over_pi<176715, 1024>) * z * (T(39) * (z * z * z * z) - T(26) * (z * z) + T(3)) * x * y;
-    by_y(8, -3) =
-        T(-root_over_pi<176715, 4096>) * z * (T(39) * (z * z * z * z) - T(26) * (z * z) + T(3)) * ((x * x) - (y * y));
-    by_z(8, -3) = T(-root_over_pi<176715, 4096>) * (T(65) * (z * z * z * z) - T(26) * (z * z) + T(1)) * y *
-                  (T(3) * (x * x) - (y * y));
-    by_x(8, -2) = T(root_over_pi<5355, 2048>) *
-                  (T(143) * (z * z * z * z * z * z) - T(143) * (z * z * z * z) + T(33) * (z * z) - T(1)) * y;
-    by_y(8, -2) = T(root_over_pi<5355, 2048>) *
-                  (T(143) * (z * z * z * z * z * z) - T(143) * (z * z * z * z) + T(33) * (z * z) - T(1)) * x;
+    by_y(8, -3) = T(-root_over_pi<176715, 4096>) * z * (T(39) * (z * z * z * z) - T(26) * (z * z) + T(3))
+        * ((x * x) - (y * y));
+    by_z(8, -3) = T(-root_over_pi<176715, 4096>) * (T(65) * (z * z * z * z) - T(26) * (z * z) + T(1)) * y
+        * (T(3) * (x * x) - (y * y));
+    by_x(8, -2) = T(root_over_pi<5355, 2048>) * (T(143) * (z * z * z * z * z * z) - T(143) * (z * z * z * z)
+        + T(33) * (z * z) - T(1)) * y;
+    by_y(8, -2) = T(root_over_pi<5355, 2048>) * (T(143) * (z * z * z * z * z * z) - T(143) * (z * z * z * z)
+        + T(33) * (z * z) - T(1)) * x;
     by_z(8, -2) = T(root_over_pi<647955, 512>) * z * (T(39) * (z * z * z * z) - T(26) * (z * z) + T(3)) * x * y;
-    by_y(8, -1) = T(-root_over_pi<153, 4096>) * z *
-                  (T(715) * (z * z * z * z * z * z) - T(1001) * (z * z * z * z) + T(385) * (z * z) - T(35));
-    by_z(8, -1) = T(-root_over_pi<187425, 4096>) *
-                  (T(143) * (z * z * z * z * z * z) - T(143) * (z * z * z * z) + T(33) * (z * z) - T(1)) * y;
-    by_z(8, 0) = T(root_over_pi<1377, 1024>) * z *
-                 (T(715) * (z * z * z * z * z * z) - T(1001) * (z * z * z * z) + T(385) * (z * z) - T(35));
-    by_x(8, 1) = T(-root_over_pi<153, 4096>) * z *
-                 (T(715) * (z * z * z * z * z * z) - T(1001) * (z * z * z * z) + T(385) * (z * z) - T(35));
-    by_z(8, 1) = T(-root_over_pi<187425, 4096>) *
-                 (T(143) * (z * z * z * z * z * z) - T(143) * (z * z * z * z) + T(33) * (z * z) - T(1)) * x;
-    by_x(8, 2) = T(root_over_pi<5355, 2048>) *
-                 (T(143) * (z * z * z * z * z * z) - T(143) * (z * z * z * z) + T(33) * (z * z) - T(1)) * x;
-    by_y(8, 2) = T(-root_over_pi<5355, 2048>) *
-                 (T(143) * (z * z * z * z * z * z) - T(143) * (z * z * z * z) + T(33) * (z * z) - T(1)) * y;
-    by_z(8, 2) =
-        T(root_over_pi<647955, 2048>) * z * (T(39) * (z * z * z * z) - T(26) * (z * z) + T(3)) * ((x * x) - (y * y));
-    by_x(8, 3) =
-        T(-root_over_pi<176715, 4096>) * z * (T(39) * (z * z * z * z) - T(26) * (z * z) + T(3)) * ((x * x) - (y * y));
+    by_y(8, -1) = T(-root_over_pi<153, 4096>) * z * (T(715) * (z * z * z * z * z * z) - T(1001) * (z * z * z * z)
+        + T(385) * (z * z) - T(35));
+    by_z(8, -1) = T(-root_over_pi<187425, 4096>) * (T(143) * (z * z * z * z * z * z) - T(143) * (z * z * z * z)
+        + T(33) * (z * z) - T(1)) * y;
+    by_z(8, 0) = T(root_over_pi<1377, 1024>) * z * (T(715) * (z * z * z * z * z * z) - T(1001) * (z * z * z * z)
+        + T(385) * (z * z) - T(35));
+    by_x(8, 1) = T(-root_over_pi<153, 4096>) * z * (T(715) * (z * z * z * z * z * z) - T(1001) * (z * z * z * z)
+        + T(385) * (z * z) - T(35));
+    by_z(8, 1) = T(-root_over_pi<187425, 4096>) * (T(143) * (z * z * z * z * z * z) - T(143) * (z * z * z * z)
+        + T(33) * (z * z) - T(1)) * x;
+    by_x(8, 2) = T(root_over_pi<5355, 2048>) * (T(143) * (z * z * z * z * z * z) - T(143) * (z * z * z * z)
+        + T(33) * (z * z) - T(1)) * x;
+    by_y(8, 2) = T(-root_over_pi<5355, 2048>) * (T(143) * (z * z * z * z * z * z) - T(143) * (z * z * z * z)
+        + T(33) * (z * z) - T(1)) * y;
+    by_z(8, 2) = T(root_over_pi<647955, 2048>) * z * (T(39) * (z * z * z * z) - T(26) * (z * z) + T(3))
+        * ((x * x) - (y * y));
+    by_x(8, 3) = T(-root_over_pi<176715, 4096>) * z * (T(39) * (z * z * z * z) - T(26) * (z * z) + T(3))
+        * ((x * x) - (y * y));
     by_y(8, 3) = T(root_over_pi<176715, 1024>) * z * (T(39) * (z * z * z * z) - T(26) * (z * z) + T(3)) * x * y;
-    by_z(8, 3) = T(-root_over_pi<176715, 4096>) * (T(65) * (z * z * z * z) - T(26) * (z * z) + T(1)) * x *
-                 ((x * x) - T(3) * (y * y));
-    by_x(8, 4) = T(root_over_pi<11781, 1024>) * (T(65) * (z * z * z * z) - T(26) * (z * z) + T(1)) * x *
-                 ((x * x) - T(3) * (y * y));
-    by_y(8, 4) = T(-root_over_pi<11781, 1024>) * (T(65) * (z * z * z * z) - T(26) * (z * z) + T(1)) * y *
-                 (T(3) * (x * x) - (y * y));
-    by_z(8, 4) = T(root_over_pi<1990989, 1024>) * z * (T(5) * (z * z) - T(1)) *
-                 ((x * x * x * x) - T(6) * (x * x) * (y * y) + (y * y * y * y));
-    by_x(8, 5) = T(-root_over_pi<3828825, 4096>) * z * (T(5) * (z * z) - T(1)) *
-                 ((x * x * x * x) - T(6) * (x * x) * (y * y) + (y * y * y * y));
+    by_z(8, 3) = T(-root_over_pi<176715, 4096>) * (T(65) * (z * z * z * z) - T(26) * (z * z) + T(1)) * x
+        * ((x * x) - T(3) * (y * y));
+    by_x(8, 4) = T(root_over_pi<11781, 1024>) * (T(65) * (z * z * z * z) - T(26) * (z * z) + T(1)) * x
+        * ((x * x) - T(3) * (y * y));
+    by_y(8, 4) = T(-root_over_pi<11781, 1024>) * (T(65) * (z * z * z * z) - T(26) * (z * z) + T(1)) * y
+        * (T(3) * (x * x) - (y * y));
+    by_z(8, 4) = T(root_over_pi<1990989, 1024>) * z * (T(5) * (z * z) - T(1))
+        * ((x * x * x * x) - T(6) * (x * x) * (y * y) + (y * y * y * y));
+    by_x(8, 5) = T(-root_over_pi<3828825, 4096>) * z * (T(5) * (z * z) - T(1))
+        * ((x * x * x * x) - T(6) * (x * x) * (y * y) + (y * y * y * y));
     by_y(8, 5) = T(root_over_pi<3828825, 256>) * z * (T(5) * (z * z) - T(1)) * x * y * ((x * x) - (y * y));
-    by_z(8, 5) = T(-root_over_pi<153153, 4096>) * (T(15) * (z * z) - T(1)) * x *
-                 ((x * x * x * x) - T(10) * (x * x) * (y * y) + T(5) * (y * y * y * y));
-    by_x(8, 6) = T(root_over_pi<65637, 2048>) * (T(15) * (z * z) - T(1)) * x *
-                 ((x * x * x * x) - T(10) * (x * x) * (y * y) + T(5) * (y * y * y * y));
-    by_y(8, 6) = T(-root_over_pi<65637, 2048>) * (T(15) * (z * z) - T(1)) * y *
-                 (T(5) * (x * x * x * x) - T(10) * (x * x) * (y * y) + (y * y * y * y));
-    by_z(8, 6) = T(root_over_pi<1640925, 2048>) * z *
-                 ((x * x * x * x * x * x) - T(15) * (x * x * x * x) * (y * y) + T(15) * (x * x) * (y * y * y * y) -
-                  (y * y * y * y * y * y));
-    by_x(8, 7) = T(-root_over_pi<5360355, 4096>) * z *
-                 ((x * x * x * x * x * x) - T(15) * (x * x * x * x) * (y * y) + T(15) * (x * x) * (y * y * y * y) -
-                  (y * y * y * y * y * y));
-    by_y(8, 7) = T(root_over_pi<5360355, 1024>) * z * x * y *
-                 (T(3) * (x * x * x * x) - T(10) * (x * x) * (y * y) + T(3) * (y * y * y * y));
-    by_z(8, 7) = T(-root_over_pi<109395, 4096>) * x *
-                 ((x * x * x * x * x * x) - T(21) * (x * x * x * x) * (y * y) + T(35) * (x * x) * (y * y * y * y) -
-                  T(7) * (y * y * y * y * y * y));
-    by_x(8, 8) = T(root_over_pi<109395, 1024>) * x *
-                 ((x * x * x * x * x * x) - T(21) * (x * x * x * x) * (y * y) + T(35) * (x * x) * (y * y * y * y) -
-                  T(7) * (y * y * y * y * y * y));
-    by_y(8, 8) = T(-root_over_pi<109395, 1024>) * y *
-                 (T(7) * (x * x * x * x * x * x) - T(35) * (x * x * x * x) * (y * y) +
-                  T(21) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
+    by_z(8, 5) = T(-root_over_pi<153153, 4096>) * (T(15) * (z * z) - T(1)) * x
+        * ((x * x * x * x) - T(10) * (x * x) * (y * y) + T(5) * (y * y * y * y));
+    by_x(8, 6) = T(root_over_pi<65637, 2048>) * (T(15) * (z * z) - T(1)) * x
+        * ((x * x * x * x) - T(10) * (x * x) * (y * y) + T(5) * (y * y * y * y));
+    by_y(8, 6) = T(-root_over_pi<65637, 2048>) * (T(15) * (z * z) - T(1)) * y
+        * (T(5) * (x * x * x * x) - T(10) * (x * x) * (y * y) + (y * y * y * y));
+    by_z(8, 6) = T(root_over_pi<1640925, 2048>) * z * ((x * x * x * x * x * x) - T(15) * (x * x * x * x) * (y * y)
+        + T(15) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
+    by_x(8, 7) = T(-root_over_pi<5360355, 4096>) * z * ((x * x * x * x * x * x) - T(15) * (x * x * x * x) * (y * y)
+        + T(15) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
+    by_y(8, 7) = T(root_over_pi<5360355, 1024>) * z * x * y * (T(3) * (x * x * x * x) - T(10) * (x * x) * (y * y)
+        + T(3) * (y * y * y * y));
+    by_z(8, 7) = T(-root_over_pi<109395, 4096>) * x * ((x * x * x * x * x * x) - T(21) * (x * x * x * x) * (y * y)
+        + T(35) * (x * x) * (y * y * y * y) - T(7) * (y * y * y * y * y * y));
+    by_x(8, 8) = T(root_over_pi<109395, 1024>) * x * ((x * x * x * x * x * x) - T(21) * (x * x * x * x) * (y * y)
+        + T(35) * (x * x) * (y * y * y * y) - T(7) * (y * y * y * y * y * y));
+    by_y(8, 8) = T(-root_over_pi<109395, 1024>) * y * (T(7) * (x * x * x * x * x * x)
+        - T(35) * (x * x * x * x) * (y * y) + T(21) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
   }
   if constexpr (N > 9) {
-    by_x(9, -9) = T(-root_over_pi<18706545, 2048>) * x * y *
-                  ((x * x * x * x * x * x) - T(7) * (x * x * x * x) * (y * y) + T(7) * (x * x) * (y * y * y * y) -
-                   (y * y * y * y * y * y));
-    by_y(9, -9) = T(-root_over_pi<18706545, 131072>) *
-                  ((x * x * x * x * x * x * x * x) - T(28) * (x * x * x * x * x * x) * (y * y) +
-                   T(70) * (x * x * x * x) * (y * y * y * y) - T(28) * (x * x) * (y * y * y * y * y * y) +
-                   (y * y * y * y * y * y * y * y));
-    by_x(9, -8) = T(root_over_pi<2078505, 1024>) * z * y *
-                  (T(7) * (x * x * x * x * x * x) - T(35) * (x * x * x * x) * (y * y) +
-                   T(21) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
-    by_y(9, -8) = T(root_over_pi<2078505, 1024>) * z * x *
-                  ((x * x * x * x * x * x) - T(21) * (x * x * x * x) * (y * y) + T(35) * (x * x) * (y * y * y * y) -
-                   T(7) * (y * y * y * y * y * y));
-    by_z(9, -8) = T(root_over_pi<2078505, 1024>) * x * y *
-                  ((x * x * x * x * x * x) - T(7) * (x * x * x * x) * (y * y) + T(7) * (x * x) * (y * y * y * y) -
-                   (y * y * y * y * y * y));
-    by_x(9, -7) = T(-root_over_pi<5990985, 32768>) * (T(17) * (z * z) - T(1)) * x * y *
-                  (T(3) * (x * x * x * x) - T(10) * (x * x) * (y * y) + T(3) * (y * y * y * y));
-    by_y(9, -7) = T(-root_over_pi<5990985, 131072>) * (T(17) * (z * z) - T(1)) *
-                  ((x * x * x * x * x * x) - T(15) * (x * x * x * x) * (y * y) + T(15) * (x * x) * (y * y * y * y) -
-                   (y * y * y * y * y * y));
-    by_z(9, -7) = T(-root_over_pi<35334585, 32768>) * z * y *
-                  (T(7) * (x * x * x * x * x * x) - T(35) * (x * x * x * x) * (y * y) +
-                   T(21) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
-    by_x(9, -6) = T(root_over_pi<366795, 2048>) * z * (T(17) * (z * z) - T(3)) * y *
-                  (T(5) * (x * x * x * x) - T(10) * (x * x) * (y * y) + (y * y * y * y));
-    by_y(9, -6) = T(root_over_pi<366795, 2048>) * z * (T(17) * (z * z) - T(3)) * x *
-                  ((x * x * x * x) - T(10) * (x * x) * (y * y) + T(5) * (y * y * y * y));
-    by_z(9, -6) = T(root_over_pi<366795, 2048>) * (T(17) * (z * z) - T(1)) * x * y *
-                  (T(3) * (x * x * x * x) - T(10) * (x * x) * (y * y) + T(3) * (y * y * y * y));
-    by_x(9, -5) = T(-root_over_pi<611325, 2048>) * (T(85) * (z * z * z * z) - T(30) * (z * z) + T(1)) * x * y *
-                  ((x * x) - (y * y));
-    by_y(9, -5) = T(-root_over_pi<611325, 32768>) * (T(85) * (z * z * z * z) - T(30) * (z * z) + T(1)) *
-                  ((x * x * x * x) - T(6) * (x * x) * (y * y) + (y * y * y * y));
-    by_z(9, -5) = T(-root_over_pi<611325, 2048>) * z * (T(17) * (z * z) - T(3)) * y *
-                  (T(5) * (x * x * x * x) - T(10) * (x * x) * (y * y) + (y * y * y * y));
-    by_x(9, -4) = T(root_over_pi<855855, 1024>) * z * (T(17) * (z * z * z * z) - T(10) * (z * z) + T(1)) * y *
-                  (T(3) * (x * x) - (y * y));
-    by_y(9, -4) = T(root_over_pi<855855, 1024>) * z * (T(17) * (z * z * z * z) - T(10) * (z * z) + T(1)) * x *
-                  ((x * x) - T(3) * (y * y));
-    by_z(9, -4) = T(root_over_pi<855855, 1024>) * (T(85) * (z * z * z * z) - T(30) * (z * z) + T(1)) * x * y *
-                  ((x * x) - (y * y));
-    by_x(9, -3) = T(-root_over_pi<197505, 8192>) *
-                  (T(221) * (z * z * z * z * z * z) - T(195) * (z * z * z * z) + T(39) * (z * z) - T(1)) * x * y;
-    by_y(9, -3) = T(-root_over_pi<197505, 32768>) *
-                  (T(221) * (z * z * z * z * z * z) - T(195) * (z * z * z * z) + T(39) * (z * z) - T(1)) *
-                  ((x * x) - (y * y));
-    by_z(9, -3) = T(-root_over_pi<33378345, 8192>) * z * (T(17) * (z * z * z * z) - T(10) * (z * z) + T(1)) * y *
-                  (T(3) * (x * x) - (y * y));
-    by_x(9, -2) = T(root_over_pi<9405, 2048>) * z *
-                  (T(221) * (z * z * z * z * z * z) - T(273) * (z * z * z * z) + T(91) * (z * z) - T(7)) * y;
-    by_y(9, -2) = T(root_over_pi<9405, 2048>) * z *
-                  (T(221) * (z * z * z * z * z * z) - T(273) * (z * z * z * z) + T(91) * (z * z) - T(7)) * x;
-    by_z(9, -2) = T(root_over_pi<460845, 2048>) *
-                  (T(221) * (z * z * z * z * z * z) - T(195) * (z * z * z * z) + T(39) * (z * z) - T(1)) * x * y;
-    by_y(9, -1) =
-        T(-root_over_pi<855, 65536>) * (T(2431) * (z * z * z * z * z * z * z * z) - T(4004) * (z * z * z * z * z * z) +
-                                        T(2002) * (z * z * z * z) - T(308) * (z * z) + T(7));
-    by_z(9, -1) = T(-root_over_pi<103455, 1024>) * z *
-                  (T(221) * (z * z * z * z * z * z) - T(273) * (z * z * z * z) + T(91) * (z * z) - T(7)) * y;
-    by_z(9, 0) =
-        T(root_over_pi<38475, 65536>) * (T(2431) * (z * z * z * z * z * z * z * z) - T(4004) * (z * z * z * z * z * z) +
-                                         T(2002) * (z * z * z * z) - T(308) * (z * z) + T(7));
-    by_x(9, 1) =
-        T(-root_over_pi<855, 65536>) * (T(2431) * (z * z * z * z * z * z * z * z) - T(4004) * (z * z * z * z * z * z) +
-                                        T(2002) * (z * z * z * z) - T(308) * (z * z) + T(7));
-    by_z(9, 1) = T(-root_over_pi<103455, 1024>) * z *
-                 (T(221) * (z * z * z * z * z * z) - T(273) * (z * z * z * z) + T(91) * (z * z) - T(7)) * x;
-    by_x(9, 2) = T(root_over_pi<9405, 2048>) * z *
-                 (T(221) * (z * z * z * z * z * z) - T(273) * (z * z * z * z) + T(91) * (z * z) - T(7)) * x;
-    by_y(9, 2) = T(-root_over_pi<9405, 2048>) * z *
-                 (T(221) * (z * z * z * z * z * z) - T(273) * (z * z * z * z) + T(91) * (z * z) - T(7)) * y;
-    by_z(9, 2) = T(root_over_pi<460845, 8192>) *
-                 (T(221) * (z * z * z * z * z * z) - T(195) * (z * z * z * z) + T(39) * (z * z) - T(1)) *
-                 ((x * x) - (y * y));
-    by_x(9, 3) = T(-root_over_pi<197505, 32768>) *
-                 (T(221) * (z * z * z * z * z * z) - T(195) * (z * z * z * z) + T(39) * (z * z) - T(1)) *
-                 ((x * x) - (y * y));
-    by_y(9, 3) = T(root_over_pi<197505, 8192>) *
-                 (T(221) * (z * z * z * z * z * z) - T(195) * (z * z * z * z) + T(39) * (z * z) - T(1)) * x * y;
-    by_z(9, 3) = T(-root_over_pi<33378345, 8192>) * z * (T(17) * (z * z * z * z) - T(10) * (z * z) + T(1)) * x *
-                 ((x * x) - T(3) * (y * y));
-    by_x(9, 4) = T(root_over_pi<855855, 1024>) * z * (T(17) * (z * z * z * z) - T(10) * (z * z) + T(1)) * x *
-                 ((x * x) - T(3) * (y * y));
-    by_y(9, 4) = T(-root_over_pi<855855, 1024>) * z * (T(17) * (z * z * z * z) - T(10) * (z * z) + T(1)) * y *
-                 (T(3) * (x * x) - (y * y));
-    by_z(9, 4) = T(root_over_pi<855855, 16384>) * (T(85) * (z * z * z * z) - T(30) * (z * z) + T(1)) *
-                 ((x * x * x * x) - T(6) * (x * x) * (y * y) + (y * y * y * y));
-    by_x(9, 5) = T(-root_over_pi<611325, 32768>) * (T(85) * (z * z * z * z) - T(30) * (z * z) + T(1)) *
-                 ((x * x * x * x) - T(6) * (x * x) * (y * y) + (y * y * y * y));
-    by_y(9, 5) = T(root_over_pi<611325, 2048>) * (T(85) * (z * z * z * z) - T(30) * (z * z) + T(1)) * x * y *
-                 ((x * x) - (y * y));
-    by_z(9, 5) = T(-root_over_pi<611325, 2048>) * z * (T(17) * (z * z) - T(3)) * x *
-                 ((x * x * x * x) - T(10) * (x * x) * (y * y) + T(5) * (y * y * y * y));
-    by_x(9, 6) = T(root_over_pi<366795, 2048>) * z * (T(17) * (z * z) - T(3)) * x *
-                 ((x * x * x * x) - T(10) * (x * x) * (y * y) + T(5) * (y * y * y * y));
-    by_y(9, 6) = T(-root_over_pi<366795, 2048>) * z * (T(17) * (z * z) - T(3)) * y *
-                 (T(5) * (x * x * x * x) - T(10) * (x * x) * (y * y) + (y * y * y * y));
-    by_z(9, 6) = T(root_over_pi<366795, 8192>) * (T(17) * (z * z) - T(1)) *
-                 ((x * x * x * x * x * x) - T(15) * (x * x * x * x) * (y * y) + T(15) * (x * x) * (y * y * y * y) -
-                  (y * y * y * y * y * y));
-    by_x(9, 7) = T(-root_over_pi<5990985, 131072>) * (T(17) * (z * z) - T(1)) *
-                 ((x * x * x * x * x * x) - T(15) * (x * x * x * x) * (y * y) + T(15) * (x * x) * (y * y * y * y) -
-                  (y * y * y * y * y * y));
-    by_y(9, 7) = T(root_over_pi<5990985, 32768>) * (T(17) * (z * z) - T(1)) * x * y *
-                 (T(3) * (x * x * x * x) - T(10) * (x * x) * (y * y) + T(3) * (y * y * y * y));
-    by_z(9, 7) = T(-root_over_pi<35334585, 32768>) * z * x *
-                 ((x * x * x * x * x * x) - T(21) * (x * x * x * x) * (y * y) + T(35) * (x * x) * (y * y * y * y) -
-                  T(7) * (y * y * y * y * y * y));
-    by_x(9, 8) = T(root_over_pi<2078505, 1024>) * z * x *
-                 ((x * x * x * x * x * x) - T(21) * (x * x * x * x) * (y * y) + T(35) * (x * x) * (y * y * y * y) -
-                  T(7) * (y * y * y * y * y * y));
-    by_y(9, 8) = T(-root_over_pi<2078505, 1024>) * z * y *
-                 (T(7) * (x * x * x * x * x * x) - T(35) * (x * x * x * x) * (y * y) +
-                  T(21) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
-    by_z(9, 8) =
-        T(root_over_pi<2078505, 65536>) * ((x * x * x * x * x * x * x * x) - T(28) * (x * x * x * x * x * x) * (y * y) +
-                                           T(70) * (x * x * x * x) * (y * y * y * y) -
-                                           T(28) * (x * x) * (y * y * y * y * y * y) + (y * y * y * y * y * y * y * y));
-    by_x(9, 9) = T(-root_over_pi<18706545, 131072>) *
-                 ((x * x * x * x * x * x * x * x) - T(28) * (x * x * x * x * x * x) * (y * y) +
-                  T(70) * (x * x * x * x) * (y * y * y * y) - T(28) * (x * x) * (y * y * y * y * y * y) +
-                  (y * y * y * y * y * y * y * y));
-    by_y(9, 9) = T(root_over_pi<18706545, 2048>) * x * y *
-                 ((x * x * x * x * x * x) - T(7) * (x * x * x * x) * (y * y) + T(7) * (x * x) * (y * y * y * y) -
-                  (y * y * y * y * y * y));
+    by_x(9, -9) = T(-root_over_pi<18706545, 2048>) * x * y * ((x * x * x * x * x * x)
+        - T(7) * (x * x * x * x) * (y * y) + T(7) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
+    by_y(9, -9) = T(-root_over_pi<18706545, 131072>) * ((x * x * x * x * x * x * x * x)
+        - T(28) * (x * x * x * x * x * x) * (y * y) + T(70) * (x * x * x * x) * (y * y * y * y) - T(28) * (x * x)
+        * (y * y * y * y * y * y) + (y * y * y * y * y * y * y * y));
+    by_x(9, -8) = T(root_over_pi<2078505, 1024>) * z * y * (T(7) * (x * x * x * x * x * x)
+        - T(35) * (x * x * x * x) * (y * y) + T(21) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
+    by_y(9, -8) = T(root_over_pi<2078505, 1024>) * z * x * ((x * x * x * x * x * x) - T(21) * (x * x * x * x) * (y * y)
+        + T(35) * (x * x) * (y * y * y * y) - T(7) * (y * y * y * y * y * y));
+    by_z(9, -8) = T(root_over_pi<2078505, 1024>) * x * y * ((x * x * x * x * x * x) - T(7) * (x * x * x * x) * (y * y)
+        + T(7) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
+    by_x(9, -7) = T(-root_over_pi<5990985, 32768>) * (T(17) * (z * z) - T(1)) * x * y
+        * (T(3) * (x * x * x * x) - T(10) * (x * x) * (y * y) + T(3) * (y * y * y * y));
+    by_y(9, -7) = T(-root_over_pi<5990985, 131072>) * (T(17) * (z * z) - T(1))
+        * ((x * x * x * x * x * x) - T(15) * (x * x * x * x) * (y * y) + T(15) * (x * x) * (y * y * y * y)
+        - (y * y * y * y * y * y));
+    by_z(9, -7) = T(-root_over_pi<35334585, 32768>) * z * y * (T(7) * (x * x * x * x * x * x)
+        - T(35) * (x * x * x * x) * (y * y) + T(21) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
+    by_x(9, -6) = T(root_over_pi<366795, 2048>) * z * (T(17) * (z * z) - T(3)) * y
+        * (T(5) * (x * x * x * x) - T(10) * (x * x) * (y * y) + (y * y * y * y));
+    by_y(9, -6) = T(root_over_pi<366795, 2048>) * z * (T(17) * (z * z) - T(3)) * x
+        * ((x * x * x * x) - T(10) * (x * x) * (y * y) + T(5) * (y * y * y * y));
+    by_z(9, -6) = T(root_over_pi<366795, 2048>) * (T(17) * (z * z) - T(1)) * x * y
+        * (T(3) * (x * x * x * x) - T(10) * (x * x) * (y * y) + T(3) * (y * y * y * y));
+    by_x(9, -5) = T(-root_over_pi<611325, 2048>) * (T(85) * (z * z * z * z) - T(30) * (z * z) + T(1)) * x * y
+        * ((x * x) - (y * y));
+    by_y(9, -5) = T(-root_over_pi<611325, 32768>) * (T(85) * (z * z * z * z) - T(30) * (z * z) + T(1))
+        * ((x * x * x * x) - T(6) * (x * x) * (y * y) + (y * y * y * y));
+    by_z(9, -5) = T(-root_over_pi<611325, 2048>) * z * (T(17) * (z * z) - T(3)) * y
+        * (T(5) * (x * x * x * x) - T(10) * (x * x) * (y * y) + (y * y * y * y));
+    by_x(9, -4) = T(root_over_pi<855855, 1024>) * z * (T(17) * (z * z * z * z) - T(10) * (z * z) + T(1)) * y
+        * (T(3) * (x * x) - (y * y));
+    by_y(9, -4) = T(root_over_pi<855855, 1024>) * z * (T(17) * (z * z * z * z) - T(10) * (z * z) + T(1)) * x
+        * ((x * x) - T(3) * (y * y));
+    by_z(9, -4) = T(root_over_pi<855855, 1024>) * (T(85) * (z * z * z * z) - T(30) * (z * z) + T(1)) * x * y
+        * ((x * x) - (y * y));
+    by_x(9, -3) = T(-root_over_pi<197505, 8192>) * (T(221) * (z * z * z * z * z * z) - T(195) * (z * z * z * z)
+        + T(39) * (z * z) - T(1)) * x * y;
+    by_y(9, -3) = T(-root_over_pi<197505, 32768>) * (T(221) * (z * z * z * z * z * z) - T(195) * (z * z * z * z)
+        + T(39) * (z * z) - T(1)) * ((x * x) - (y * y));
+    by_z(9, -3) = T(-root_over_pi<33378345, 8192>) * z * (T(17) * (z * z * z * z) - T(10) * (z * z) + T(1)) * y
+        * (T(3) * (x * x) - (y * y));
+    by_x(9, -2) = T(root_over_pi<9405, 2048>) * z * (T(221) * (z * z * z * z * z * z) - T(273) * (z * z * z * z)
+        + T(91) * (z * z) - T(7)) * y;
+    by_y(9, -2) = T(root_over_pi<9405, 2048>) * z * (T(221) * (z * z * z * z * z * z) - T(273) * (z * z * z * z)
+        + T(91) * (z * z) - T(7)) * x;
+    by_z(9, -2) = T(root_over_pi<460845, 2048>) * (T(221) * (z * z * z * z * z * z) - T(195) * (z * z * z * z)
+        + T(39) * (z * z) - T(1)) * x * y;
+    by_y(9, -1) = T(-root_over_pi<855, 65536>) * (T(2431) * (z * z * z * z * z * z * z * z)
+        - T(4004) * (z * z * z * z * z * z) + T(2002) * (z * z * z * z) - T(308) * (z * z) + T(7));
+    by_z(9, -1) = T(-root_over_pi<103455, 1024>) * z * (T(221) * (z * z * z * z * z * z) - T(273) * (z * z * z * z)
+        + T(91) * (z * z) - T(7)) * y;
+    by_z(9, 0) = T(root_over_pi<38475, 65536>) * (T(2431) * (z * z * z * z * z * z * z * z)
+        - T(4004) * (z * z * z * z * z * z) + T(2002) * (z * z * z * z) - T(308) * (z * z) + T(7));
+    by_x(9, 1) = T(-root_over_pi<855, 65536>) * (T(2431) * (z * z * z * z * z * z * z * z)
+        - T(4004) * (z * z * z * z * z * z) + T(2002) * (z * z * z * z) - T(308) * (z * z) + T(7));
+    by_z(9, 1) = T(-root_over_pi<103455, 1024>) * z * (T(221) * (z * z * z * z * z * z) - T(273) * (z * z * z * z)
+        + T(91) * (z * z) - T(7)) * x;
+    by_x(9, 2) = T(root_over_pi<9405, 2048>) * z * (T(221) * (z * z * z * z * z * z) - T(273) * (z * z * z * z)
+        + T(91) * (z * z) - T(7)) * x;
+    by_y(9, 2) = T(-root_over_pi<9405, 2048>) * z * (T(221) * (z * z * z * z * z * z) - T(273) * (z * z * z * z)
+        + T(91) * (z * z) - T(7)) * y;
+    by_z(9, 2) = T(root_over_pi<460845, 8192>) * (T(221) * (z * z * z * z * z * z) - T(195) * (z * z * z * z)
+        + T(39) * (z * z) - T(1)) * ((x * x) - (y * y));
+    by_x(9, 3) = T(-root_over_pi<197505, 32768>) * (T(221) * (z * z * z * z * z * z) - T(195) * (z * z * z * z)
+        + T(39) * (z * z) - T(1)) * ((x * x) - (y * y));
+    by_y(9, 3) = T(root_over_pi<197505, 8192>) * (T(221) * (z * z * z * z * z * z) - T(195) * (z * z * z * z)
+        + T(39) * (z * z) - T(1)) * x * y;
+    by_z(9, 3) = T(-root_over_pi<33378345, 8192>) * z * (T(17) * (z * z * z * z) - T(10) * (z * z) + T(1)) * x
+        * ((x * x) - T(3) * (y * y));
+    by_x(9, 4) = T(root_over_pi<855855, 1024>) * z * (T(17) * (z * z * z * z) - T(10) * (z * z) + T(1)) * x
+        * ((x * x) - T(3) * (y * y));
+    by_y(9, 4) = T(-root_over_pi<855855, 1024>) * z * (T(17) * (z * z * z * z) - T(10) * (z * z) + T(1)) * y
+        * (T(3) * (x * x) - (y * y));
+    by_z(9, 4) = T(root_over_pi<855855, 16384>) * (T(85) * (z * z * z * z) - T(30) * (z * z) + T(1))
+        * ((x * x * x * x) - T(6) * (x * x) * (y * y) + (y * y * y * y));
+    by_x(9, 5) = T(-root_over_pi<611325, 32768>) * (T(85) * (z * z * z * z) - T(30) * (z * z) + T(1))
+        * ((x * x * x * x) - T(6) * (x * x) * (y * y) + (y * y * y * y));
+    by_y(9, 5) = T(root_over_pi<611325, 2048>) * (T(85) * (z * z * z * z) - T(30) * (z * z) + T(1)) * x * y
+        * ((x * x) - (y * y));
+    by_z(9, 5) = T(-root_over_pi<611325, 2048>) * z * (T(17) * (z * z) - T(3)) * x
+        * ((x * x * x * x) - T(10) * (x * x) * (y * y) + T(5) * (y * y * y * y));
+    by_x(9, 6) = T(root_over_pi<366795, 2048>) * z * (T(17) * (z * z) - T(3)) * x
+        * ((x * x * x * x) - T(10) * (x * x) * (y * y) + T(5) * (y * y * y * y));
+    by_y(9, 6) = T(-root_over_pi<366795, 2048>) * z * (T(17) * (z * z) - T(3)) * y
+        * (T(5) * (x * x * x * x) - T(10) * (x * x) * (y * y) + (y * y * y * y));
+    by_z(9, 6) = T(root_over_pi<366795, 8192>) * (T(17) * (z * z) - T(1))
+        * ((x * x * x * x * x * x) - T(15) * (x * x * x * x) * (y * y) + T(15) * (x * x) * (y * y * y * y)
+        - (y * y * y * y * y * y));
+    by_x(9, 7) = T(-root_over_pi<5990985, 131072>) * (T(17) * (z * z) - T(1))
+        * ((x * x * x * x * x * x) - T(15) * (x * x * x * x) * (y * y) + T(15) * (x * x) * (y * y * y * y)
+        - (y * y * y * y * y * y));
+    by_y(9, 7) = T(root_over_pi<5990985, 32768>) * (T(17) * (z * z) - T(1)) * x * y
+        * (T(3) * (x * x * x * x) - T(10) * (x * x) * (y * y) + T(3) * (y * y * y * y));
+    by_z(9, 7) = T(-root_over_pi<35334585, 32768>) * z * x * ((x * x * x * x * x * x)
+        - T(21) * (x * x * x * x) * (y * y) + T(35) * (x * x) * (y * y * y * y) - T(7) * (y * y * y * y * y * y));
+    by_x(9, 8) = T(root_over_pi<2078505, 1024>) * z * x * ((x * x * x * x * x * x) - T(21) * (x * x * x * x) * (y * y)
+        + T(35) * (x * x) * (y * y * y * y) - T(7) * (y * y * y * y * y * y));
+    by_y(9, 8) = T(-root_over_pi<2078505, 1024>) * z * y * (T(7) * (x * x * x * x * x * x)
+        - T(35) * (x * x * x * x) * (y * y) + T(21) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
+    by_z(9, 8) = T(root_over_pi<2078505, 65536>) * ((x * x * x * x * x * x * x * x)
+        - T(28) * (x * x * x * x * x * x) * (y * y) + T(70) * (x * x * x * x) * (y * y * y * y) - T(28) * (x * x)
+        * (y * y * y * y * y * y) + (y * y * y * y * y * y * y * y));
+    by_x(9, 9) = T(-root_over_pi<18706545, 131072>) * ((x * x * x * x * x * x * x * x)
+        - T(28) * (x * x * x * x * x * x) * (y * y) + T(70) * (x * x * x * x) * (y * y * y * y) - T(28) * (x * x)
+        * (y * y * y * y * y * y) + (y * y * y * y * y * y * y * y));
+    by_y(9, 9) = T(root_over_pi<18706545, 2048>) * x * y * ((x * x * x * x * x * x) - T(7) * (x * x * x * x) * (y * y)
+        + T(7) * (x * x) * (y * y * y * y) - (y * y * y * y * y * y));
   }
   return sh;
 }

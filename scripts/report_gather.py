@@ -69,6 +69,12 @@ def scenes(files):
             "measured": ["--scene", "atrium", *measured]}
 
 
+def errors_of(facts):
+    errors = facts["errors"]
+    return {"rmse": errors["rmse"], "psnr_db": errors["psnr_db"], "ssim": errors["ssim"],
+            "linear_rmse": errors["linear_rmse_relative_to_mean"]}
+
+
 class Renderer:
     def __init__(self, program, report_data, folder, scratch, repeats):
         self.repeats = repeats
@@ -105,10 +111,14 @@ class Renderer:
     def reference_file(self, scene, size):
         return self.scratch / f"{scene}_{size[0]}.exr"
 
-    def row(self, part, label, scene, size, method, picture="", **options):
+    def render(self, scene, size, method, picture, **options):
+        """hvl-render's JSON of a picture, compared with the reference."""
         out = self.folder / picture if picture else self.scratch / "picture.png"
-        facts = self.run(scene, size, method, out=out, reference=self.reference_file(scene, size), **options)
-        seconds, errors, used = facts["seconds"], facts["errors"], facts["options"]
+        return self.run(scene, size, method, out=out, reference=self.reference_file(scene, size), **options)
+
+    def row(self, part, label, scene, size, method, picture="", **options):
+        facts = self.render(scene, size, method, picture, **options)
+        seconds, used = facts["seconds"], facts["options"]
         count = facts["counts"]["virtual_lights"]
         mine = {"hvl": ["bands", "emission_bands"], "hvl-zonal": ["bands"], "vsl": ["vsl_samples"],
                 "vsgl": ["vsgl_texels"], "vpl": ["vpl_clamp"]}.get(method, [])
@@ -117,22 +127,19 @@ class Renderer:
                 "lights": count // used["vsgl_texels"] ** 2 if method == "vsgl" else count,
                 **{name: used[name] for name in mine},
                 "material_s": seconds.get("material projection", 0), "lights_s": seconds["virtual lights"],
-                "gather_s": seconds["gather"], "rmse": errors["rmse"], "psnr_db": errors["psnr_db"],
-                "ssim": errors["ssim"], "linear_rmse": errors["linear_rmse_relative_to_mean"], "picture": picture}
+                "gather_s": seconds["gather"], **errors_of(facts), "picture": picture}
 
     def paths_row(self, part, label, scene, size, visibility, seconds, picture):
-        """Path tracing, of one bounce like all others, by as many paths a pixel as the time allows, at least one."""
+        """Path tracing, of one bounce like all others, by as many paths a pixel as the time allows, at least one. Its
+        random numbers are none of the reference's."""
         def trace(paths):
-            return self.run(scene, size, "path", bounces=1, spp=paths, out=self.folder / picture,
-                            reference=self.reference_file(scene, size))
+            return self.render(scene, size, "path", picture, bounces=1, spp=paths, seed=3)
         once = trace(4)
         facts = trace(max(1, round(4 * seconds / once["seconds"]["paths"])))
-        errors = facts["errors"]
         return {"part": part, "label": label, "scene": scene, "width": size[0], "height": size[1],
                 "visibility": visibility, "method": "path", "lights": 0, "paths": facts["counts"]["paths_per_pixel"],
-                "material_s": 0, "lights_s": 0, "gather_s": facts["seconds"]["paths"], "rmse": errors["rmse"],
-                "psnr_db": errors["psnr_db"], "ssim": errors["ssim"],
-                "linear_rmse": errors["linear_rmse_relative_to_mean"], "picture": picture}
+                "material_s": 0, "lights_s": 0, "gather_s": facts["seconds"]["paths"], **errors_of(facts),
+                "picture": picture}
 
     def median_row(self, *arguments, **options):
         rows = [self.row(*arguments, **options) for _ in range(self.repeats)]

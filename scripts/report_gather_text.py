@@ -197,7 +197,8 @@ def table_2(folder):
     text = ["### HVL, Table 2, and Fig. 10 and 11",
             f"The glossy atrium, {rows[0]['width']:.0f} x {rows[0]['height']:.0f}, for the paper's scenes and "
             "hardware: compare the rows of a column, not the two columns. 10a, 10b and 10d have equal counts; 10a, 10c "
-            f"and 10e equal time, and so 11a and 11b. The reference's own RMSE is {noise:.4f}. The paper says that at equal time HVL have the lower RMSE."]
+            f"and 10e equal time, and so 11a and 11b. The reference's own RMSE is {noise:.4f}. The paper says that at "
+            "equal time HVL have the lower RMSE."]
     for visibility in distinct(rows, "visibility"):
         here = where(rows, visibility=visibility)
         lines = [f"- {name}: {verdict(one(here, label=hvl), one(here, label=rival), noise)}"

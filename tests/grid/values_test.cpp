@@ -97,7 +97,8 @@ TEST_CASE("grid of values: it interpolates as the other does trilinearly, for ve
     const auto got = zonal::interpolate_with_gradient<Interpolation::trilinear>(values, p);
     const auto own = zonal::interpolate<Interpolation::trilinear, Float3>(values, std::array<float, 3>{p.x, p.y, p.z});
     const auto hermite = zonal::interpolate<Interpolation::hermite>(full, p);
-    const auto own_hermite = zonal::interpolate<Interpolation::hermite, std::array<float, 3>>(full, p);
+    const auto own_hermite =
+        zonal::interpolate<Interpolation::hermite, std::array<float, 3>>(full, Float3{p.x, p.y, p.z});
     for (int n = 0; n < N * N; ++n) {
       CAPTURE(i, n);
       REQUIRE(got.value[n] == expected.value[n]);

@@ -70,24 +70,10 @@ struct Coefficients {
   }
 
   constexpr Derived& operator+=(const Derived& b) {
-    if constexpr (plain_length_v < T >> 0) {
-      auto* sum = numbers(*this);
-      const auto* added = numbers(b);
-      for (int i = 0; i < Size * plain_length_v<T>; ++i) sum[i] = sum[i] + added[i];
-    } else {
-      for (int i = 0; i < Size; ++i) values[i] = values[i] + b.values[i];
-    }
-    return static_cast<Derived&>(*this);
+    return combine(b, [](const auto& x, const auto& y) ZONAL_INLINE { return x + y; });
   }
   constexpr Derived& operator-=(const Derived& b) {
-    if constexpr (plain_length_v < T >> 0) {
-      auto* sum = numbers(*this);
-      const auto* taken = numbers(b);
-      for (int i = 0; i < Size * plain_length_v<T>; ++i) sum[i] = sum[i] - taken[i];
-    } else {
-      for (int i = 0; i < Size; ++i) values[i] = values[i] - b.values[i];
-    }
-    return static_cast<Derived&>(*this);
+    return combine(b, [](const auto& x, const auto& y) ZONAL_INLINE { return x - y; });
   }
   template <class S>
   constexpr Derived& operator*=(const S& s) {
@@ -149,6 +135,19 @@ struct Coefficients {
     } else {
       return a == b;
     }
+  }
+  // Each of its values is f of it and of b's; of vectors, each number.
+  template <class F>
+  ZONAL_INLINE constexpr Derived& combine(const Derived& b, F f) {
+    constexpr int length = plain_length_v<T>;
+    if constexpr (length != 0) {
+      auto* to = numbers(*this);
+      const auto* from = numbers(b);
+      for (int i = 0; i < Size * length; ++i) to[i] = f(to[i], from[i]);
+    } else {
+      for (int i = 0; i < Size; ++i) values[i] = f(values[i], b.values[i]);
+    }
+    return static_cast<Derived&>(*this);
   }
   // The numbers of vectors, all in one row.
   template <class Self>

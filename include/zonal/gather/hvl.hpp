@@ -90,7 +90,6 @@ constexpr Sh<N, T> all_orders(const EvenSh<N, T>& even) {
 /// What a sphere light needs to be seen: a light of the cache as the kernel reads it, one lane or a packet of them.
 template <int NE, class T, class Emission = EvenEmission>
 struct HvlRecord {
-  using EmissionKind = Emission;
   static constexpr int emission_size = Emission::size(NE);
   T position[3], normal[3];
   T tangent[3];  // the direction to the primary light, projected on the tangent plane

@@ -3,7 +3,8 @@
 // A lookup finds the cell, computes the weights of its 8 corners (interpolation_weights.hpp, where the three are
 // compared), and adds up the corners' blocks: one sum over 8 or 32 terms for all coefficients and colours.
 //
-// Positions are anything with p[0], p[1] and p[2]; colours, anything made of three floats in braces.
+// Positions are anything with p[0], p[1] and p[2], or p.x, p.y and p.z; colours, anything made of three floats in
+// braces.
 //
 // Outside the box the interpolant is that of the nearest point of the box, constant along the face's normal: there the
 // gradient's component across the face is 0. On the face itself it is the inside's. On a face between cells, where a
@@ -21,6 +22,7 @@
 
 #include "../scalar/float_lanes.hpp"
 #include "../scalar/unroll.hpp"
+#include "../scalar/vector3.hpp"
 #include "coefficient_grid.hpp"
 #include "interpolation_weights.hpp"
 
@@ -50,7 +52,8 @@ struct CellLookup {
 
   template <class Grid, class Position>
   CellLookup(const Grid& grid, const Position& position) {
-    const glm::vec3 p(position[0], position[1], position[2]), spacing = grid.spacing();
+    const auto [x, y, z] = as_direction<float>(position);
+    const glm::vec3 p(x, y, z), spacing = grid.spacing();
     glm::ivec3 cell;
     for (int axis = 0; axis < 3; ++axis) {
       const CellCoordinate place = locate(p[axis], grid.low()[axis], grid.high()[axis], grid.resolution()[axis]);

@@ -67,12 +67,11 @@ class LightSums {
         for (int c = 0; c < 3; ++c) factor[term][c] = x_of_degree * colour[c];
       };
       if constexpr (exists(value, l)) set(value, values[l]);
-      if constexpr (has_gradients && exists(up, l))
-        set(up, Wide(l - 1) * (values[l - 1] * sight.inverse_distance) - slopes[l - 1]);
-      if constexpr (has_gradients && exists(down, l)) {
+      if constexpr (exists(up, l)) set(up, Wide(l - 1) * (values[l - 1] * sight.inverse_distance) - slopes[l - 1]);
+      if constexpr (exists(down, l)) {
         set(down, -(Wide(l + 2) * (values[l + 1] * sight.inverse_distance)) - slopes[l + 1]);
       }
-      if constexpr (term_count > modulated && exists(modulated, l)) {  // (w A_l Y)' = w (A_l Y)' + w' A_l Y
+      if constexpr (exists(modulated, l)) {  // (w A_l Y)' = w (A_l Y)' + w' A_l Y
         for (int k = 0; k < 3; ++k) set(modulated + k, seen.profile.value.values[l] * seen.modulation.gradient[k]);
       }
       for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
@@ -131,7 +130,9 @@ class LightSums {
   enum Term { value, up, down, modulated };
   static constexpr int term_count = !has_gradients ? up : is_modulated ? modulated + 3 : modulated;
   static constexpr int degrees = has_gradients ? N + 1 : N;  // the step up from N-1 is of degree N
-  static constexpr bool exists(int term, int l) { return term == up ? l > 0 : term == down ? l + 1 < N : l < N; }
+  static constexpr bool exists(int term, int l) {
+    return term < term_count && (term == up ? l > 0 : term == down ? l + 1 < N : l < N);
+  }
   using Sums = T[3][static_cast<std::size_t>(term_count)];
 
   Sums sums_[static_cast<std::size_t>(degrees * degrees)];

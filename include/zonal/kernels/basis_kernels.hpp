@@ -16,8 +16,7 @@ struct Evaluate : Kernel {
   static void run(Io& io) {
     using T = typename Io::Scalar;
     const auto v = io.vector("direction", Domain::unit_vector);
-    const auto y = io.template output_sh<N>("y");
-    evaluate<N>(v[0], v[1], v[2], [&](auto l, auto m, const T& value) { y[sh_index(l, m)] = value; });
+    evaluate<N>(v[0], v[1], v[2], ShOutput<T>{io.template output_sh<N>("y")});
   }
 };
 
@@ -40,8 +39,7 @@ struct EvaluateZonal : Kernel {
   static void run(Io& io) {
     using T = typename Io::Scalar;
     const T cos_angle = io.number("cos_angle", Domain::cosine);
-    const auto y = io.output("y", N);
-    evaluate_zonal<N>(cos_angle, [&](auto l, const T& value) { y[l] = value; });
+    evaluate_zonal<N>(cos_angle, ZonalOutput<T>{io.output("y", N)});
   }
 };
 
@@ -54,11 +52,7 @@ struct EvaluateWithGradient : Kernel {
     const auto v = io.vector("direction", Domain::unit_vector);
     const auto y = io.template output_sh<N>("y");
     const auto gradient = io.template output_gradient<N>("gradient");
-    evaluate_with_gradient<N>(v[0], v[1], v[2],
-                              [&](auto l, auto m, const T& value, const T& gx, const T& gy, const T& gz) {
-                                y[sh_index(l, m)] = value;
-                                gradient.set(sh_index(l, m), gx, gy, gz);
-                              });
+    evaluate_with_gradient<N>(v[0], v[1], v[2], GradientOutput<T>{y, gradient});
   }
 };
 

@@ -59,7 +59,8 @@ struct CellPosition : Kernel {
 // few operations more.
 struct AddSphere : Kernel {
   static constexpr const char* name = "add_sphere";
-  static constexpr const char* summary = "Adds a sphere light to the sums at a vertex, in one colour channel; cell: the longest side of a cell.";
+  static constexpr const char* summary =
+      "Adds a sphere light to the sums at a vertex, in one colour channel; cell: the longest side of a cell.";
   static constexpr int order_count(int bands) { return bands + 1; }  // the gradient needs one degree more
   template <int N, class Io>
   static void run(Io& io) {

@@ -1,4 +1,4 @@
-// The parameters of a shader function, and the object through which a kernel takes and gives them in any scalar.
+// The parameters of a kernel, and the objects through which it takes and gives them in any scalar.
 //
 // An entry of the table (kernel_list.hpp) names its inputs and outputs as it uses them:
 //
@@ -20,6 +20,7 @@
 #include <utility>
 #include <vector>
 
+#include "../basis/sh.hpp"
 #include "../lobe/cap.hpp"
 
 namespace zonal {
@@ -72,6 +73,35 @@ struct Triples {
   T* operator[](int i) const { return values + 3 * i; }
   void set(int i, const T& x, const T& y, const T& z) const {
     values[3 * i] = x, values[3 * i + 1] = y, values[3 * i + 2] = z;
+  }
+};
+
+/// Where a kernel that gives (l, m, value), or (l, m, value, d/dx, d/dy, d/dz), is to leave them.
+template <class T>
+struct ShOutput {
+  Numbers<T> values;
+  template <int l, int m>
+  void operator()(Index<l>, Index<m>, const T& value) const {
+    values[sh_index(l, m)] = value;
+  }
+};
+template <class T>
+struct GradientOutput {
+  Numbers<T> values;
+  Triples<T> gradient;
+  template <int l, int m>
+  void operator()(Index<l>, Index<m>, const T& value, const T& x, const T& y, const T& z) const {
+    values[sh_index(l, m)] = value;
+    gradient.set(sh_index(l, m), x, y, z);
+  }
+};
+/// The same of a zonal function, (l, value).
+template <class T>
+struct ZonalOutput {
+  Numbers<T> values;
+  template <int l>
+  void operator()(Index<l>, const T& value) const {
+    values[l] = value;
   }
 };
 

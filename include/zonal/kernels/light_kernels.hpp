@@ -29,8 +29,7 @@ struct Sphere : Kernel {
     using T = typename Io::Scalar;
     const auto light = detail::take_sphere(io);
     const auto x = io.vector("receiver", Domain::position);
-    const auto sh = io.template output_sh<N>("sh");
-    project<N>(light, x[0], x[1], x[2], [&](auto l, auto m, const T& value) { sh[sh_index(l, m)] = value; });
+    project<N>(light, x[0], x[1], x[2], ShOutput<T>{io.template output_sh<N>("sh")});
   }
 };
 
@@ -44,11 +43,7 @@ struct SphereWithGradient : Kernel {
     const auto x = io.vector("receiver", Domain::position);
     const auto sh = io.template output_sh<N>("sh");
     const auto gradient = io.template output_gradient<N>("gradient");
-    project_with_gradient<N>(light, x[0], x[1], x[2],
-                             [&](auto l, auto m, const T& value, const T& gx, const T& gy, const T& gz) {
-                               sh[sh_index(l, m)] = value;
-                               gradient.set(sh_index(l, m), gx, gy, gz);
-                             });
+    project_with_gradient<N>(light, x[0], x[1], x[2], GradientOutput<T>{sh, gradient});
   }
 };
 
@@ -63,11 +58,7 @@ struct LightWithGradient : Kernel {
     const auto x = io.vector("receiver", Domain::position);
     const auto sh = io.template output_sh<N>("sh");
     const auto gradient = io.template output_gradient<N>("gradient");
-    const auto sink = [&](auto l, auto m, const T& value, const T& gx, const T& gy, const T& gz) {
-      sh[sh_index(l, m)] = value;
-      gradient.set(sh_index(l, m), gx, gy, gz);
-    };
-    Entry::template project<N>(x, sink);
+    Entry::template project<N>(x, GradientOutput<T>{sh, gradient});
   }
 };
 

@@ -18,8 +18,7 @@ struct Cap : Kernel {
   static void run(Io& io) {
     using T = typename Io::Scalar;
     const SphericalCap<T> cap = io.cap("cap", Domain::angle);
-    const auto z = io.output("z", N);
-    project<N>(cap, [&](auto l, const T& value) { z[l] = value; });
+    project<N>(cap, ZonalOutput<T>{io.output("z", N)});
   }
 };
 
@@ -30,8 +29,7 @@ struct HemisphereCap : Kernel {
   static void run(Io& io) {
     using T = typename Io::Scalar;
     const SphericalCap<T> cap = io.cap("cap", Domain::half_angle);
-    const auto z = io.output("z", N);
-    project_up_to_hemisphere<N>(cap, [&](auto l, const T& value) { z[l] = value; });
+    project_up_to_hemisphere<N>(cap, ZonalOutput<T>{io.output("z", N)});
   }
 };
 
@@ -42,9 +40,7 @@ struct SphereCap : Kernel {
   static void run(Io& io) {
     using T = typename Io::Scalar;
     const T distance = io.number("distance", Domain::length), radius = io.number("radius", Domain::radius);
-    const auto z = io.output("z", N);
-    project_up_to_hemisphere<N>(SphericalCap<T>::from_sphere(distance, radius),
-                                [&](auto l, const T& value) { z[l] = value; });
+    project_up_to_hemisphere<N>(SphericalCap<T>::from_sphere(distance, radius), ZonalOutput<T>{io.output("z", N)});
   }
 };
 
@@ -55,8 +51,7 @@ struct CapDerivative : Kernel {
   static void run(Io& io) {
     using T = typename Io::Scalar;
     const SphericalCap<T> cap = io.cap("cap", Domain::angle);
-    const auto z = io.output("z", N);
-    project_derivative<N>(cap, [&](auto l, const T& value) { z[l] = value; });
+    project_derivative<N>(cap, ZonalOutput<T>{io.output("z", N)});
   }
 };
 
@@ -66,8 +61,7 @@ struct Lambert : Kernel {
   template <int N, class Io>
   static void run(Io& io) {
     using T = typename Io::Scalar;
-    const auto z = io.output("z", N);
-    project<N, T>(LambertLobe{}, [&](auto l, const T& value) { z[l] = value; });
+    project<N, T>(LambertLobe{}, ZonalOutput<T>{io.output("z", N)});
   }
 };
 
@@ -78,8 +72,7 @@ struct Phong : Kernel {
   static void run(Io& io) {
     using T = typename Io::Scalar;
     const T exponent = io.number("exponent", Domain::exponent);
-    const auto z = io.output("z", N);
-    project<N>(PhongLobe<T>{exponent}, [&](auto l, const T& value) { z[l] = value; });
+    project<N>(PhongLobe<T>{exponent}, ZonalOutput<T>{io.output("z", N)});
   }
 };
 
@@ -90,8 +83,7 @@ struct Gaussian : Kernel {
   static void run(Io& io) {
     using T = typename Io::Scalar;
     const T sharpness = io.number("sharpness", Domain::exponent);
-    const auto z = io.output("z", N);
-    project<N>(SphericalGaussian<T>{sharpness}, [&](auto l, const T& value) { z[l] = value; });
+    project<N>(SphericalGaussian<T>{sharpness}, ZonalOutput<T>{io.output("z", N)});
   }
 };
 

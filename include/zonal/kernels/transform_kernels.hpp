@@ -47,8 +47,7 @@ struct Orient : Kernel {
     using T = typename Io::Scalar;
     const auto zh = detail::take_zonal<N>(io, "zh");
     const auto axis = io.vector("axis", Domain::unit_vector);
-    const auto sh = io.template output_sh<N>("sh");
-    orient(zh, axis[0], axis[1], axis[2], [&](auto l, auto m, const T& value) { sh[sh_index(l, m)] = value; });
+    orient(zh, axis[0], axis[1], axis[2], ShOutput<T>{io.template output_sh<N>("sh")});
   }
 };
 

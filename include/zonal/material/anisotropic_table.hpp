@@ -100,7 +100,7 @@ template <int N>
 AnisotropicProjection<N> project_anisotropic_nodes(const MeasuredBrdf& brdf, double cos_outgoing, double azimuth,
                                                    double tolerance) {
   if (brdf.isotropic) {
-    const BrdfProjection<N> even = project_nodes<N>(*brdf.nodes, cos_outgoing, tolerance);
+    const BrdfProjection<N> even = project_nodes<N>(brdf.nodes, cos_outgoing, tolerance);
     return {join(even.with_cosine, {}), join(even.without_cosine, {}), even.error};
   }
   const double cosine = std::cos(azimuth), sine = std::sin(azimuth);
@@ -108,7 +108,7 @@ AnisotropicProjection<N> project_anisotropic_nodes(const MeasuredBrdf& brdf, dou
       turn_about_z({std::sqrt((1.0 - cos_outgoing) * (1.0 + cos_outgoing)), 0.0, cos_outgoing}, cosine, sine);
   const auto at_level = [&](int level) {
     NodeSums<N, Parity::odd> sums;
-    (*brdf.nodes)(wo, level, [&](const glm::dvec3& wi, const glm::dvec3& weighted) {
+    brdf.nodes(wo, level, [&](const glm::dvec3& wi, const glm::dvec3& weighted) {
       sums.add(turn_about_z(wi, cosine, -sine), weighted);
     });
     const auto even = sums.template project<Parity::even>();
@@ -147,7 +147,7 @@ class AnisotropicTable {
     Brdf rest, by_nodes;
     for (BrdfLobe& lobe : brdf.lobes) {
       const auto* measured = std::get_if<MeasuredBrdf>(&lobe);
-      (measured != nullptr && measured->nodes != nullptr ? by_nodes : rest).lobes.push_back(std::move(lobe));
+      (measured != nullptr && measured->nodes ? by_nodes : rest).lobes.push_back(std::move(lobe));
     }
     project_ = [rest, by_nodes, tolerance, quadrature = ProjectionQuadrature()](double cosine, double azimuth) {
       AnisotropicProjection<max_bands> sum;

@@ -210,7 +210,7 @@ std::vector<BrdfProjection<MaterialTable::max_bands>> project_all_angles(const P
 /// Is it a measured material with a quadrature of its own?
 inline bool has_own_nodes(const BrdfLobe& lobe) {
   const auto* measured = std::get_if<MeasuredBrdf>(&lobe);
-  return measured != nullptr && measured->nodes != nullptr;
+  return measured != nullptr && measured->nodes;
 }
 
 template <class F>
@@ -256,7 +256,7 @@ MaterialTable project_material(const Brdf& brdf, int bands, double tolerance = 1
       sum = detail::sum(project_brdf<all_bands>(function(glossy), cos_outgoing, tolerance, quadrature), sum);
     }
     for (const BrdfLobe& lobe : by_nodes.lobes) {
-      const BrdfNodes& nodes = *std::get<MeasuredBrdf>(lobe).nodes;
+      const BrdfNodes& nodes = std::get<MeasuredBrdf>(lobe).nodes;
       sum = detail::sum(detail::project_nodes<all_bands>(nodes, cos_outgoing, tolerance), sum);
     }
     return sum;

@@ -35,10 +35,10 @@ inline constexpr int brdf_node_levels = 4;
 /// for projections, where it has one. It need not be reciprocal: f(wi, wo), where wo is the direction the light leaves
 /// in, may differ from f(wo, wi).
 struct MeasuredBrdf {
-  std::shared_ptr<const BrdfFunction> function;
+  BrdfFunction function;
   glm::vec3 diffuse_albedo, specular_albedo;
   float roughness;
-  std::shared_ptr<const BrdfNodes> nodes{};
+  BrdfNodes nodes{};
   bool isotropic = true;  // else it is to be asked in the surface's own frame: directions with x along its tangent
 };
 
@@ -59,7 +59,7 @@ struct MeasuredProposal {
 template <class T>
 glm::vec<3, T> evaluate(const MeasuredBrdf& brdf, const glm::vec<3, T>& wi, const glm::vec<3, T>& wo) {
   if constexpr (is_builtin_scalar_v<T>) {
-    return glm::vec<3, T>((*brdf.function)(glm::dvec3(wi), glm::dvec3(wo)));
+    return glm::vec<3, T>(brdf.function(glm::dvec3(wi), glm::dvec3(wo)));
   } else {
     return detail::by_lanes(wi, wo, [&](const auto& i, const auto& o) { return evaluate(brdf, i, o); });
   }
@@ -166,21 +166,21 @@ inline constexpr bool has_isotropic<F, std::void_t<decltype(bool(std::declval<co
 template <class F>
 MeasuredBrdf measured(F brdf) {
   const auto shared = std::make_shared<const F>(std::move(brdf));
-  MeasuredBrdf result{nullptr, {}, {}, 1.0F};
+  MeasuredBrdf result{{}, {}, {}, 1.0F};
   if constexpr (detail::has_isotropic<F>) result.isotropic = shared->isotropic();
   const bool isotropic = result.isotropic;
-  result.function =
-      std::make_shared<const BrdfFunction>([shared, isotropic](const glm::dvec3& wi, const glm::dvec3& wo) {
-        return isotropic ? even_part(*shared)(wi, wo) : (*shared)(wi, wo);
-      });
+  result.function = [shared, isotropic](const glm::dvec3& wi, const glm::dvec3& wo) {
+    return isotropic ? even_part(*shared)(wi, wo) : (*shared)(wi, wo);
+  };
   if constexpr (detail::has_nodes<F>) {
-    result.nodes = std::make_shared<const BrdfNodes>(
-        [shared](const glm::dvec3& wo, int level, const auto& visit) { shared->for_each_node(wo, level, visit); });
+    result.nodes = [shared](const glm::dvec3& wo, int level, const auto& visit) {
+      shared->for_each_node(wo, level, visit);
+    };
   }
-  std::vector<detail::MeasuredNode> nodes = detail::measured_nodes(*result.function, 0.0);
+  std::vector<detail::MeasuredNode> nodes = detail::measured_nodes(result.function, 0.0);
   if (!isotropic) {
     for (const double azimuth : {0.8, 1.6, 2.4, 3.2, 4.0, 4.8, 5.6}) {
-      const std::vector<detail::MeasuredNode> more = detail::measured_nodes(*result.function, azimuth);
+      const std::vector<detail::MeasuredNode> more = detail::measured_nodes(result.function, azimuth);
       nodes.insert(nodes.end(), more.begin(), more.end());
     }
   }

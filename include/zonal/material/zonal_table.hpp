@@ -150,7 +150,7 @@ ZonalTable project_zonal(const Brdf& brdf, int bands, double tolerance = 1e-4, F
       sum += detail::project_mirror_lobe<all_bands>(function, cos_outgoing, tolerance, quadrature);
     }
     for (const BrdfLobe& lobe : by_nodes.lobes) {
-      sum += detail::project_mirror_lobe<all_bands>(*std::get<MeasuredBrdf>(lobe).nodes, cos_outgoing, tolerance);
+      sum += detail::project_mirror_lobe<all_bands>(std::get<MeasuredBrdf>(lobe).nodes, cos_outgoing, tolerance);
     }
     for (int l = 0; l < bands; ++l) rows[std::size_t(angle * bands + l)] = glm::vec3(sum[l]);
   });

@@ -41,10 +41,12 @@ class FunctionRef<R(Arguments...)> {
 template <class Signature>
 class SharedFunction;
 
-/// Holds a callable, which its copies share; it is called as const, from any thread.
+/// Holds a callable, which its copies share; it is called as const, from any thread. Empty, it is false, and must not
+/// be called.
 template <class R, class... Arguments>
 class SharedFunction<R(Arguments...)> {
  public:
+  SharedFunction() = default;
   template <class F, std::enable_if_t<!std::is_same_v<std::decay_t<F>, SharedFunction> &&
                                           std::is_invocable_r_v<R, const std::decay_t<F>&, Arguments...>,
                                       int> = 0>
@@ -54,11 +56,12 @@ class SharedFunction<R(Arguments...)> {
           return (*static_cast<const std::decay_t<F>*>(object))(std::forward<Arguments>(arguments)...);
         }) {}
 
+  explicit operator bool() const { return call_ != nullptr; }
   R operator()(Arguments... arguments) const { return call_(object_.get(), std::forward<Arguments>(arguments)...); }
 
  private:
   std::shared_ptr<const void> object_;
-  R (*call_)(const void*, Arguments...);
+  R (*call_)(const void*, Arguments...) = nullptr;
 };
 
 }  // namespace ZONAL_TARGET

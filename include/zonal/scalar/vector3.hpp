@@ -13,7 +13,7 @@ struct Direction3 {
   T x, y, z;
 };
 
-/// The one place where a caller's direction is read: v[0], v[1], v[2], or else v.x, v.y, v.z, as three T.
+/// The one place where a caller's direction or position is read: v[0], v[1], v[2], or else v.x, v.y, v.z, as three T.
 template <class T, class V>
 ZONAL_INLINE constexpr auto as_direction(const V& v, int) -> decltype(v[0], Direction3<T>{}) {
   return {T(v[0]), T(v[1]), T(v[2])};

@@ -196,21 +196,29 @@ class HvlCache {
 
   /// The lights that shine.
   int size() const { return records_.size() + anisotropic_.size(); }
-  /// Those of isotropic materials in packets, and those of anisotropic ones.
+  /// Those of isotropic materials, in packets.
   int packet_count() const { return records_.packet_count(); }
   ZONAL_INLINE Record<Lanes> packet(int index) const { return records_.packet(index); }
-  const PacketArray<AnisotropicRecord>& anisotropic() const { return anisotropic_; }
 
-  /// Those of isotropic materials as receivers without symmetry take them.
-  struct WithoutSymmetry {
+  /// Lights as a kernel without symmetry takes them: those of isotropic materials, then those of anisotropic ones.
+  class WithoutSymmetry {
+   public:
     using Lanes = HvlCache::Lanes;
-    const HvlCache& cache;
-    int packet_count() const { return cache.packet_count(); }
+    WithoutSymmetry(const HvlCache& cache, int first) : cache_(cache), first_(first) {}
+
+    int packet_count() const { return cache_.records_.packet_count() + cache_.anisotropic_.packet_count() - first_; }
     ZONAL_INLINE AnisotropicRecord<Lanes> packet(int index) const {
-      return zonal::without_symmetry(cache.packet(index));
+      const int isotropic = cache_.records_.packet_count(), i = first_ + index;
+      return i < isotropic ? zonal::without_symmetry(cache_.records_.packet(i))
+                           : cache_.anisotropic_.packet(i - isotropic);
     }
+
+   private:
+    const HvlCache& cache_;
+    int first_;
   };
-  WithoutSymmetry without_symmetry() const { return {*this}; }
+  WithoutSymmetry all_lights() const { return {*this, 0}; }
+  WithoutSymmetry anisotropic_lights() const { return {*this, records_.packet_count()}; }
 
  private:
   void append(const VirtualLight& light) {
@@ -252,7 +260,9 @@ class HvlCache {
 
 namespace detail {
 
-/// The sum over some lights of a receiver whose coefficients F, in the frame given, are known.
+/// The sum over some lights of a receiver whose coefficients F, in the frame given, are known. Only two kinds of lights
+/// and coefficients meet, EvenSh with those of isotropic materials and Sh with WithoutSymmetry: where one side has no
+/// symmetry, the other is taken without it too, for a kernel takes long to compile.
 template <int N, int NE, Horizon method, class Lights, class Material>
 glm::vec3 gather_from(const Lights& lights, const ReceiverFrame<typename Lights::Lanes>& frame,
                       const Material& coefficients, const Visibility& visible) {
@@ -272,9 +282,8 @@ glm::vec3 gather(const HvlCache<NE>& cache, const Receiver& receiver, const Mate
   const auto frame = detail::frame_of<Lanes>(receiver);
   const EvenSh<N, glm::vec3> coefficients = material.with_cosine<N>(glm::dot(receiver.normal, receiver.outgoing));
   glm::vec3 sum = detail::gather_from<N, NE, method>(cache, frame, coefficients, visible);
-  if (cache.anisotropic().size() > 0) {
-    // Where there is one kind without symmetry, the other is taken without it too: two kernels and not four.
-    sum += detail::gather_from<N, NE, method>(cache.anisotropic(), frame, detail::all_orders(coefficients), visible);
+  if (const auto others = cache.anisotropic_lights(); others.packet_count() > 0) {
+    sum += detail::gather_from<N, NE, method>(others, frame, detail::all_orders(coefficients), visible);
   }
   return (glm::max)(sum, glm::vec3(0));
 }
@@ -288,9 +297,7 @@ glm::vec3 gather(const HvlCache<NE>& cache, const Receiver& receiver, const Anis
   const glm::vec3 outgoing = detail::in_frame(receiver.outgoing, receiver.normal, own);
   const auto frame = detail::frame_of<Lanes>(receiver, detail::turned_tangent(outgoing, receiver.normal, own));
   const Sh<N, glm::vec3> coefficients = material.with_cosine<N>(outgoing);
-  const glm::vec3 sum = detail::gather_from<N, NE, method>(cache.anisotropic(), frame, coefficients, visible) +
-                        detail::gather_from<N, NE, method>(cache.without_symmetry(), frame, coefficients, visible);
-  return (glm::max)(sum, glm::vec3(0));
+  return (glm::max)(detail::gather_from<N, NE, method>(cache.all_lights(), frame, coefficients, visible), glm::vec3(0));
 }
 
 }  // namespace ZONAL_TARGET

@@ -3,7 +3,7 @@
 # inside; a block with a main of its own is another program, and left out. What a page prints is what its ```text blocks
 # say. All pages are compiled as one file, for time. (```c++ shows a form, and is not compiled.)
 if(NOT compiler)
-  message("skipped: g++ is not installed")
+  message("skipped: neither clang++ nor g++ is installed")
   return()
 endif()
 string(REPLACE "|" ";" pages "${pages}")

@@ -58,6 +58,7 @@ TEST_CASE("gradient: is as accurate as promised, against 30 digits, at the poles
 }
 
 TEST_CASE("gradient: is as accurate as promised in float, near the poles too") {
+  constexpr double bound = accuracy_bound("evaluate_with_gradient", "float", 10);
   double worst = 0;
   for (const auto& v : directions_and_poles<float>(40000, 31)) {
     const auto y = zonal::evaluate_with_gradient<10>(v);
@@ -67,14 +68,15 @@ TEST_CASE("gradient: is as accurate as promised in float, near the poles too") {
         for (std::size_t k = 0; k < 3; ++k) {
           const double error =
               static_cast<double>(std::abs(static_cast<long double>(y.gradient[k](l, m)) - exact.gradient[k](l, m)));
-          CAPTURE(v[0], v[1], v[2], l, m, k);
-          REQUIRE(error <= accuracy_bound("evaluate_with_gradient", "float", 10) * steepest_of_degree(l));
           worst = std::max(worst, error / steepest_of_degree(l));
+          if (error <= bound * steepest_of_degree(l)) continue;  // an assertion for each would take most of the time
+          CAPTURE(v[0], v[1], v[2], l, m, k, error);
+          FAIL("beyond the bound");
         }
       }
     }
   }
-  CHECK(worst >= accuracy_bound("evaluate_with_gradient", "float", 10) / 10);
+  CHECK(worst >= bound / 10);
 }
 
 TEST_CASE("gradient and Hessian: are those of dual numbers, nested ones for the Hessian") {

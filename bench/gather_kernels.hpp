@@ -29,7 +29,7 @@ struct Gather {
   static constexpr const char* name = gather_name(NE, method);
   static constexpr int bands = N, emission_bands = NE;
   static constexpr Horizon horizon = method;
-  static constexpr std::size_t inputs = zonal::HvlRecord<NE, float>::field_count + 9 + 3;
+  static constexpr std::size_t inputs = zonal::field_count<zonal::HvlRecord<NE, float>> + 9 + 3;
 
   template <class T>
   static std::array<T, 3> run(const std::array<T, inputs>& numbers) {
@@ -37,7 +37,7 @@ struct Gather {
     zonal::ReceiverFrame<T> frame;
     std::array<T, 3> sum, result;
     const T* next = numbers.data();
-    for (int i = 0; i < light.field_count; ++i) light.field(i) = *next++;
+    zonal::for_each_field(light, [&](T& field) ZONAL_INLINE { field = *next++; });
     for (auto* vector : {&frame.position, &frame.normal, &frame.tangent}) {
       for (T& x : *vector) x = *next++;
     }

@@ -1,6 +1,5 @@
 // The gather of virtual lights, one receiver per invocation: the indirect light of Harmonics Virtual Lights. OpenGL 4.5
-// and Vulkan; the functions:
-// zonal-glsl --functions gather@5,material_with_cosine@5,tangent_towards -o zonal_gather.glsl
+// and Vulkan; the functions: zonal-glsl --functions gather@5,material_with_cosine@5,tangent_towards -o zonal_gather.glsl
 #version 450
 #extension GL_GOOGLE_include_directive : enable
 layout(local_size_x = 64) in;

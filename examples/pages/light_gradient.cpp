@@ -5,6 +5,7 @@
 #include <zonal/light/sphere.hpp>
 #include <zonal/zonal.hpp>
 
+#include <cmath>
 #include <cstdio>
 
 int main() {

@@ -7,6 +7,7 @@
 #include <zonal/material/material_table.hpp>
 #include <zonal/material/named.hpp>
 
+#include <cmath>
 #include <cstdio>
 #include <vector>
 

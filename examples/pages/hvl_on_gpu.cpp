@@ -5,8 +5,16 @@
 //   zonal-glsl --functions gather@5,material_with_cosine@5,tangent_towards -o hvl.glsl
 //   g++ -std=c++17 -O2 -Iinclude -I/usr/include/eigen3 examples/pages/hvl_on_gpu.cpp -o hvl_on_gpu -lEGL -lGL
 //
-// zonal-glsl is built with zonal (build/release/tools/zonal-glsl) and installed with it; in a CMake build
-// zonal_add_shader runs it, as in floor_light/.
+// zonal-glsl: cmake --preset release && cmake --build build/release --target zonal-glsl, which leaves it in
+// build/release/tools/zonal-glsl; or as it was installed. All that in a CMake build:
+//
+//   find_package(zonal REQUIRED)  # or add_subdirectory, FetchContent: docs/README.md
+//   find_package(OpenGL REQUIRED COMPONENTS EGL)
+//   add_executable(hvl_on_gpu hvl_on_gpu.cpp)
+//   target_link_libraries(hvl_on_gpu PRIVATE zonal::render OpenGL::EGL OpenGL::GL)
+//   zonal_add_shader(hvl_on_gpu OUTPUT hvl.glsl FUNCTIONS gather@5 material_with_cosine@5 tangent_towards)
+//
+// It reads hvl.glsl from the folder where it is run.
 #define GL_GLEXT_PROTOTYPES
 #include <EGL/egl.h>
 #include <EGL/eglext.h>

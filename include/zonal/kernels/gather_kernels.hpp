@@ -34,7 +34,7 @@ struct TangentTowards : Kernel {
     using T = typename Io::Scalar;
     T normal[3], direction[3], tangent[3];
     detail::take(io, "normal", Domain::unit_vector, normal);
-    detail::take(io, "direction", Domain::unit_vector, direction);
+    detail::take(io, "direction", Domain::position, direction);  // of any length, and not along the normal
     zonal::detail::tangent_towards(normal, direction, tangent);
     io.output_triples("tangent", 0).set(0, tangent[0], tangent[1], tangent[2]);
   }
@@ -55,9 +55,12 @@ struct HorizonOf : Kernel {
 
 template <int NE, Horizon method = Horizon::smoothstep>
 struct HvlRadiance : Kernel {
-  static constexpr const char* name = method == Horizon::exact ? "hvl_radiance_exact"
-                                      : NE == 1                ? "hvl_radiance_diffuse"
-                                                               : "hvl_radiance";
+  static constexpr const char* name = method == Horizon::exact  ? "hvl_radiance_exact"
+                                      : method == Horizon::none ? "hvl_radiance_no_horizon"
+                                      : NE == 1                 ? "hvl_radiance_diffuse"
+                                                                : "hvl_radiance";
+  static constexpr int emission_bands = NE;
+  static constexpr Horizon horizon = method;
   static constexpr const char* summary =
       NE == 1 ? "The outgoing radiance that a diffuse virtual light causes: one band of emission."
               : "The outgoing radiance that a virtual light causes: three bands of emission.";

@@ -15,4 +15,7 @@ void print_gradient_table_1(std::ostream& out, const Results& results);
 void print_gradient_table_2(std::ostream& out, const Results& results);
 void print_gradient_figure_15(std::ostream& out);
 
+/// All kernels of the registry, those of the papers' tables among them.
+void print_registry(std::ostream& out, const Results& results);
+
 }  // namespace zonal_bench

@@ -13,15 +13,13 @@
 #include "grid_kernels.hpp"
 #include "light_kernels.hpp"
 #include "lobe_kernels.hpp"
+#include "material_kernels.hpp"
 #include "scalar_kernels.hpp"
 #include "transform_kernels.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
 namespace kernels {
-
-template <class... Entries>
-struct KernelList {};
 
 using BasisKernels =
     KernelList<Evaluate, EvaluateEven, EvaluateZonal, EvaluateWithGradient,                 // basis
@@ -40,17 +38,13 @@ using ColourKernels =
 using SceneKernels = KernelList<Sphere, SphereWithGradient,                                               // lights
                                 CellPosition, CellWeightsOf<Interpolation::trilinear>,                    // grid
                                 CellWeightsOf<Interpolation::hermite>, ClearSums, AddSphere, FinishSums,  //
-                                HorizonOf<Horizon::smoothstep>, HorizonOf<Horizon::exact>,  // virtual lights
-                                HvlRadiance<1>, HvlRadiance<3>>;
+                                MaterialRow, MaterialBetweenRows,                                         // materials
+                                TangentTowards, HorizonOf<Horizon::smoothstep>, HorizonOf<Horizon::exact>,
+                                HvlRadiance<1>, HvlRadiance<3>>;  // virtual lights
 // They are no shader functions: of fixed lights, and for tests.
 using UnwrittenKernels =
-    KernelList<Arcs, SpotWithGradient, TriangleSphereWithGradient, PolygonWithGradient, HvlRadiance<3, Horizon::exact>>;
-
-/// visit(Entry{}) for each entry of the table, in its order.
-template <class Visit, class... Entries>
-void for_each_kernel(KernelList<Entries...>, Visit&& visit) {
-  (visit(Entries{}), ...);
-}
+    KernelList<Arcs, SpotWithGradient, TriangleSphereWithGradient, PolygonWithGradient, HvlRadiance<3, Horizon::exact>,
+               HvlRadiance<3, Horizon::none>>;
 
 }  // namespace kernels
 }  // namespace ZONAL_TARGET

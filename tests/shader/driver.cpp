@@ -64,6 +64,23 @@ struct Driver::Functions {
   PFNGLBEGINQUERYPROC BeginQuery = nullptr;
   PFNGLENDQUERYPROC EndQuery = nullptr;
   PFNGLGETQUERYOBJECTUI64VPROC GetQueryObjectui64v = nullptr;
+  PFNGLGENTEXTURESPROC GenTextures = nullptr;
+  PFNGLDELETETEXTURESPROC DeleteTextures = nullptr;
+  PFNGLBINDTEXTUREPROC BindTexture = nullptr;
+  PFNGLTEXIMAGE2DPROC TexImage2D = nullptr;
+  PFNGLTEXPARAMETERIPROC TexParameteri = nullptr;
+  PFNGLGENRENDERBUFFERSPROC GenRenderbuffers = nullptr;
+  PFNGLDELETERENDERBUFFERSPROC DeleteRenderbuffers = nullptr;
+  PFNGLBINDRENDERBUFFERPROC BindRenderbuffer = nullptr;
+  PFNGLRENDERBUFFERSTORAGEPROC RenderbufferStorage = nullptr;
+  PFNGLGENFRAMEBUFFERSPROC GenFramebuffers = nullptr;
+  PFNGLDELETEFRAMEBUFFERSPROC DeleteFramebuffers = nullptr;
+  PFNGLBINDFRAMEBUFFERPROC BindFramebuffer = nullptr;
+  PFNGLFRAMEBUFFERRENDERBUFFERPROC FramebufferRenderbuffer = nullptr;
+  PFNGLCHECKFRAMEBUFFERSTATUSPROC CheckFramebufferStatus = nullptr;
+  PFNGLVIEWPORTPROC Viewport = nullptr;
+  PFNGLDRAWARRAYSPROC DrawArrays = nullptr;
+  PFNGLREADPIXELSPROC ReadPixels = nullptr;
 
   void load_egl() {
     load(query_string, get, "eglQueryString");
@@ -105,6 +122,23 @@ struct Driver::Functions {
     load(BeginQuery, get, "glBeginQuery");
     load(EndQuery, get, "glEndQuery");
     load(GetQueryObjectui64v, get, "glGetQueryObjectui64v");
+    load(GenTextures, get, "glGenTextures");
+    load(DeleteTextures, get, "glDeleteTextures");
+    load(BindTexture, get, "glBindTexture");
+    load(TexImage2D, get, "glTexImage2D");
+    load(TexParameteri, get, "glTexParameteri");
+    load(GenRenderbuffers, get, "glGenRenderbuffers");
+    load(DeleteRenderbuffers, get, "glDeleteRenderbuffers");
+    load(BindRenderbuffer, get, "glBindRenderbuffer");
+    load(RenderbufferStorage, get, "glRenderbufferStorage");
+    load(GenFramebuffers, get, "glGenFramebuffers");
+    load(DeleteFramebuffers, get, "glDeleteFramebuffers");
+    load(BindFramebuffer, get, "glBindFramebuffer");
+    load(FramebufferRenderbuffer, get, "glFramebufferRenderbuffer");
+    load(CheckFramebufferStatus, get, "glCheckFramebufferStatus");
+    load(Viewport, get, "glViewport");
+    load(DrawArrays, get, "glDrawArrays");
+    load(ReadPixels, get, "glReadPixels");
   }
 
   /// The displays to try: each device, then the platform without any.
@@ -273,6 +307,37 @@ double Driver::run(unsigned program, const std::vector<unsigned>& buffers, unsig
   check("running a compute shader");
   // llvmpipe's timer does not count compute shaders.
   return is_software() ? elapsed.count() : static_cast<double>(nanoseconds) * 1e-6;
+}
+
+std::vector<float> Driver::draw(unsigned program, const std::vector<float>& texels, int columns, int width,
+                                int height) {
+  GLuint texture = 0, target = 0, frame = 0;
+  gl_->GenTextures(1, &texture);
+  gl_->BindTexture(GL_TEXTURE_2D, texture);
+  gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_R32F, columns, static_cast<int>(texels.size()) / columns, 0, GL_RED, GL_FLOAT,
+                  texels.data());
+  // Floats are not filtered, and there are no smaller levels.
+  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  gl_->GenRenderbuffers(1, &target);
+  gl_->BindRenderbuffer(GL_RENDERBUFFER, target);
+  gl_->RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, width, height);
+  gl_->GenFramebuffers(1, &frame);
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, frame);
+  gl_->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, target);
+  if (gl_->CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    throw DriverError("the driver does not draw to floats");
+  }
+  gl_->Viewport(0, 0, width, height);
+  gl_->UseProgram(program);
+  gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+  std::vector<float> pixels(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  gl_->ReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, pixels.data());
+  gl_->DeleteFramebuffers(1, &frame);
+  gl_->DeleteRenderbuffers(1, &target);
+  gl_->DeleteTextures(1, &texture);
+  check("drawing");
+  return pixels;
 }
 
 void Driver::check(const char* what) {

@@ -43,6 +43,11 @@ class Driver {
   /// clock.
   double run(unsigned program, const std::vector<unsigned>& buffers, unsigned groups, unsigned uniforms = 0);
 
+  /// The pixels, rows from below, four floats each, of `width` x `height` of them that a program draws in whose
+  /// vertices 0, 1 and 2 cover all. Its one texture is of floats, so many columns, read texel by texel. ES has it by an
+  /// extension.
+  std::vector<float> draw(unsigned program, const std::vector<float>& texels, int columns, int width, int height);
+
  private:
   struct Functions;
   Driver();

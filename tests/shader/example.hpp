@@ -30,8 +30,9 @@ inline std::string example(const std::string& file, const std::vector<std::strin
 /// The gather or the grid, with the loops over lights forward or reversed.
 inline std::string gather_example(int bands, const std::string& shell) {
   const std::string n = std::to_string(bands);
-  return example("gather.comp", {shell}, bands,
-                 "#define BANDS " + n + "\n#define GATHER zonal_" + shell + "_" + n + "\n");
+  return example("gather.comp", {shell, "material_with_cosine", "tangent_towards"}, bands,
+                 "#define BANDS " + n + "\n#define GATHER zonal_" + shell + "_" + n +
+                     "\n#define MATERIAL zonal_material_with_cosine_" + n + "\n");
 }
 inline std::string grid_example(int bands, const std::string& shell) {
   const std::string n = std::to_string(bands);

@@ -5,12 +5,14 @@
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <zonal/shader/buffers.hpp>
 
 #include <bit>
 #include <cstddef>
 #include <limits>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "driver.hpp"
@@ -28,12 +30,10 @@ class SceneRandom {
     while (!(glm::dot(v, v) > 0.01F)) v = vector(-1, 1);
     return glm::normalize(v);
   }
-  /// A unit normal and a unit tangent.
-  void append_frame(std::vector<float>& to) {
-    const glm::vec3 normal = direction(), other = direction();
-    const glm::vec3 flat = other - glm::dot(other, normal) * normal;
-    append(to, normal);
-    append(to, glm::dot(flat, flat) > 0 ? glm::normalize(flat) : glm::vec3(1, 0, 0));
+  /// On the normal's side.
+  glm::vec3 direction_above(const glm::vec3& normal) {
+    const glm::vec3 v = direction();
+    return glm::dot(v, normal) < 0 ? -v : v;
   }
   static void append(std::vector<float>& to, const glm::vec3& v) { to.insert(to.end(), {v.x, v.y, v.z}); }
 
@@ -41,28 +41,59 @@ class SceneRandom {
   std::mt19937 random_;
 };
 
-/// Virtual lights and receivers in a box, and a row of random coefficients for each receiver.
-struct GatherScene {
-  static constexpr std::size_t light_size = 22;  // of three bands of emission
+/// A material of random coefficients: of 90 rows, or of one.
+inline zonal::MaterialTable random_material(SceneRandom& random, int bands, int rows) {
+  std::vector<glm::vec3> f[2];
+  for (auto& coefficients : f) {
+    for (int i = 0; i < rows * bands * (bands + 1) / 2; ++i) coefficients.push_back(random.vector(-0.2F, 1));
+  }
+  return {bands, rows, 0.0, std::move(f[0]), zonal::MirroredRows(std::move(f[1]))};
+}
 
-  GatherScene(int bands, std::size_t lights_, std::size_t receivers_)
-      : light_count(lights_), receiver_count(receivers_) {
+/// Virtual lights and receivers in a box, in turn of two materials: one of `bands` bands, and one of 3 and a single
+/// row.
+struct GatherScene {
+  GatherScene(int bands, std::size_t light_count_, std::size_t receiver_count_)
+      : light_count(light_count_), receiver_count(receiver_count_) {
     SceneRandom random(11);
+    tables.push_back(random_material(random, bands, zonal::MaterialTable::max_angles));
+    tables.push_back(random_material(random, 3, 1));
+    std::vector<zonal::VirtualLight> virtual_lights(light_count);
     for (std::size_t i = 0; i < light_count; ++i) {
-      SceneRandom::append(lights, random.vector(-1, 1));
-      random.append_frame(lights);
-      lights.push_back(random.uniform(0.02F, 1.5F));
-      for (std::size_t k = 10; k < light_size; ++k) lights.push_back(random.uniform(-0.2F, 1));
+      zonal::VirtualLight& light = virtual_lights[i];
+      light.position = random.vector(-1, 1);
+      light.normal = random.direction();
+      light.to_primary = random.direction_above(light.normal);
+      light.radius = random.uniform(0.02F, 1.5F);
+      light.flux = random.vector(0.1F, 1) * (light.radius * light.radius);
+      light.material = &tables[i % 2];
+    }
+    cache = zonal::HvlCache<3>(virtual_lights);
+    lights = shader_buffer(cache);
+
+    std::size_t begins[2];
+    for (std::size_t i = 0; i < 2; ++i) {
+      begins[i] = materials.size();
+      const std::vector<float> floats = shader_buffer(tables[i]);
+      materials.insert(materials.end(), floats.begin(), floats.end());
     }
     for (std::size_t i = 0; i < receiver_count; ++i) {
-      SceneRandom::append(receivers, random.vector(-1, 1));
-      random.append_frame(receivers);
-      for (int k = 0; k < 3 * bands * (bands + 1) / 2; ++k) materials.push_back(random.uniform(-0.2F, 1));
+      zonal::Receiver& receiver = receivers.emplace_back();
+      receiver.position = random.vector(-1, 1);
+      receiver.normal = random.direction();
+      receiver.outgoing = random.direction_above(receiver.normal);
+      for (const auto& v : {receiver.position, receiver.normal, receiver.outgoing}) SceneRandom::append(places, v);
+      places.push_back(static_cast<float>(begins[i % 2]));
     }
   }
 
+  const zonal::MaterialTable& material_of(std::size_t receiver) const { return tables[receiver % 2]; }
+
   std::size_t light_count, receiver_count;
-  std::vector<float> lights, receivers, materials;
+  std::vector<zonal::MaterialTable> tables;
+  zonal::HvlCache<3> cache;
+  std::vector<zonal::Receiver> receivers;
+  std::vector<float> lights, materials, places;  // what the shader reads
 };
 
 /// Sphere lights in and around a box of vertices.
@@ -129,7 +160,7 @@ inline ShaderRun run_gather(Driver& driver, const GatherScene& scene, const std:
   const unsigned program = driver.compile(source);
   const std::vector<float> uniforms{detail::as_float(static_cast<unsigned>(scene.light_count)),
                                     detail::as_float(static_cast<unsigned>(scene.receiver_count))};
-  return detail::run_into(driver, program, {scene.lights, scene.receivers, scene.materials}, uniforms,
+  return detail::run_into(driver, program, {scene.lights, scene.materials, scene.places}, uniforms,
                           3 * scene.receiver_count, static_cast<unsigned>((scene.receiver_count + 63) / 64), times);
 }
 

@@ -1,4 +1,4 @@
-# Compiles a page of examples/pages by the line in its head, a folder by its CMakeLists.txt against the installed package,
+# Compiles a page of examples/pages by the lines in its head, a folder by its CMakeLists.txt against the installed package,
 # and runs it: it prints what its last lines say.
 file(MAKE_DIRECTORY ${work_dir})
 
@@ -16,7 +16,7 @@ if(IS_DIRECTORY ${page})
   execute_process(COMMAND ${CMAKE_COMMAND} --build ${work_dir}/build COMMAND_ERROR_IS_FATAL ANY)
 else()
   file(READ ${page} text)
-  if(NOT text MATCHES "//   (g[+][+]|nvcc) ([^\n]*) examples/pages/[a-z_]+[.](cpp|cu) -o ([a-z_]+)( && [^\n]*)?\n")
+  if(NOT text MATCHES "//   (g[+][+]|nvcc) ([^\n]*) examples/pages/[a-z_]+[.](cpp|cu) -o ([a-z_]+)(( -l[a-zA-Z]+)*)( && [^\n]*)?\n")
     message(FATAL_ERROR "${page} does not say how to compile it")
   endif()
   set(program ${CMAKE_MATCH_4})
@@ -25,11 +25,16 @@ else()
     return()
   endif()
   string(REPLACE " " ";" flags "${CMAKE_MATCH_2}")
+  string(REPLACE " " ";" libraries "${CMAKE_MATCH_5}")
   list(TRANSFORM flags REPLACE "^-Iinclude$" "-I${include_dir}")
   list(TRANSFORM flags REPLACE "^-I/usr/include/eigen3$" "-idirafter/usr/include/eigen3")
   string(REPLACE "|" ";-idirafter" system_dirs "${system_dirs}")
-  execute_process(COMMAND ${compiler} ${flags} ${system_dirs} ${page} -o ${program} WORKING_DIRECTORY ${work_dir}
-    COMMAND_ERROR_IS_FATAL ANY)
+  if(text MATCHES "\n//   zonal-glsl ([^\n]*)")  # the shader functions that it reads
+    string(REPLACE " " ";" options "${CMAKE_MATCH_1}")
+    execute_process(COMMAND ${zonal_glsl} ${options} WORKING_DIRECTORY ${work_dir} COMMAND_ERROR_IS_FATAL ANY)
+  endif()
+  execute_process(COMMAND ${compiler} ${flags} ${system_dirs} ${page} -o ${program} ${libraries}
+    WORKING_DIRECTORY ${work_dir} COMMAND_ERROR_IS_FATAL ANY)
 endif()
 
 string(REGEX MATCH "// It prints:\n(.*)$" expected "${text}")

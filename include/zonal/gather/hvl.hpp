@@ -96,12 +96,9 @@ struct HvlRecord {
   T radius;
   T emission[3][static_cast<std::size_t>(emission_size)];  // RGB: Phi F' / r^2, pi times the radiance
 
-  /// field(i) for i < field_count: the order in which the cache stores them.
-  static constexpr int field_count = 10 + 3 * emission_size;
-  ZONAL_INLINE T& field(int i) {
-    if (i < 9) return (i < 3 ? position : i < 6 ? normal : tangent)[i % 3];
-    if (i == 9) return radius;
-    return emission[(i - 10) / emission_size][(i - 10) % emission_size];
+  template <class Visit>
+  ZONAL_INLINE constexpr void members(const Visit& visit) {
+    visit(position), visit(normal), visit(tangent), visit(radius), visit(emission);
   }
 };
 
@@ -199,6 +196,7 @@ class HvlCache {
   /// Those of isotropic materials in packets, and those of anisotropic ones.
   int packet_count() const { return records_.packet_count(); }
   ZONAL_INLINE Record<Lanes> packet(int index) const { return records_.packet(index); }
+  const PacketArray<Record>& isotropic() const { return records_; }
   const PacketArray<AnisotropicRecord>& anisotropic() const { return anisotropic_; }
 
   /// Those of isotropic materials as receivers without symmetry take them.

@@ -31,12 +31,10 @@ struct LightRecord {
   T turn[2];     // cosine and sine of an angle of its own, and
   T shift;       // a number of its own in [0, 1): so that samples of different lights differ
 
-  /// field(i) for i < field_count: the order in which packets are stored.
-  static constexpr int field_count = 22;
-  ZONAL_INLINE T& field(int i) {
-    if (i < 9) return (i < 3 ? position : i < 6 ? normal : tangent)[i % 3];
-    if (i < 18) return (i < 12 ? primary : i < 15 ? flux : diffuse)[i % 3];
-    return i < 20 ? turn[i - 18] : i == 20 ? shift : radius;
+  template <class Visit>
+  ZONAL_INLINE constexpr void members(const Visit& visit) {
+    visit(position), visit(normal), visit(tangent), visit(primary), visit(radius);
+    visit(flux), visit(diffuse), visit(turn), visit(shift);
   }
 };
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "../scalar/fields.hpp"
 #include "../scalar/packet.hpp"
 
 namespace zonal {
@@ -11,12 +12,13 @@ inline namespace ZONAL_TARGET {
 
 /// Block after block of 16 records, each field by field, of which a packet is as many lanes as the target has: what is
 /// kept in memory is the same for every target, so that a unit compiled by other flags may read it. Record<T> has
-/// field(i), i < field_count; the last block is padded with zeros in all fields.
+/// members(visit), fields.hpp; the last block is padded with zeros in all fields.
 template <template <class> class Record>
 class PacketArray {
  public:
   using Lanes = Packet<float, kNativeLanes>;
-  static constexpr int field_count = Record<float>::field_count;
+  static constexpr int field_count = zonal::field_count<Record<float>>;
+  static_assert(sizeof(Record<float>) == std::size_t{field_count} * sizeof(float), "members() names every member");
 
   /// Records, and the packets that hold them.
   int size() const { return size_; }
@@ -26,7 +28,10 @@ class PacketArray {
     const int lane = size_ % block_lanes;
     if (lane == 0) fields_.resize(fields_.size() + block_size, 0.0F);
     float* target = fields_.data() + fields_.size() - block_size + lane;
-    for (int i = 0; i < field_count; ++i) target[i * block_lanes] = record.field(i);
+    for_each_field(record, [&](float field) {
+      *target = field;
+      target += block_lanes;
+    });
     ++size_;
   }
 
@@ -34,8 +39,22 @@ class PacketArray {
     Record<Lanes> record;
     const unsigned first = unsigned(index) * unsigned(Lanes::width);
     const float* source = fields_.data() + std::size_t(first / block_lanes) * block_size + first % block_lanes;
-    unroll<0, field_count>([&](auto i) ZONAL_INLINE { record.field(i) = Lanes::load(source + i * block_lanes); });
+    for_each_field(record, [&](Lanes& field) ZONAL_INLINE {
+      field = Lanes::load(source);
+      source += block_lanes;
+    });
     return record;
+  }
+
+  /// Record after record, field after field: size() * field_count floats, without padding.
+  std::vector<float> by_record() const {
+    std::vector<float> floats;
+    floats.reserve(std::size_t(size_) * field_count);
+    for (int i = 0; i < size_; ++i) {
+      const float* field = fields_.data() + std::size_t(i / block_lanes) * block_size + i % block_lanes;
+      for (int k = 0; k < field_count; ++k) floats.push_back(field[k * block_lanes]);
+    }
+    return floats;
   }
 
  private:

@@ -54,12 +54,23 @@ using Visibility = FunctionRef<bool(const glm::vec3& position, const glm::vec3& 
 namespace detail {
 
 /// The unit vector of v's part in the plane of the normal; any one of that plane where v is the normal.
+template <class T>
+ZONAL_INLINE inline void tangent_towards(const T (&normal)[3], const T (&v)[3], T (&tangent)[3]) {
+  const T along = dot3(v, normal);
+  const T flat[3] = {v[0] - along * normal[0], v[1] - along * normal[1], v[2] - along * normal[2]};
+  // Of the x and the y axis the one that is farther from the normal, times the normal.
+  const auto is_x = abs(normal[0]) < T(0.5L);
+  const T other[3] = {select(is_x, T(0), -normal[2]), select(is_x, normal[2], T(0)),
+                      select(is_x, -normal[1], normal[0])};
+  const auto has_direction = T(1e-12L) < dot3(flat, flat);
+  for (int i = 0; i < 3; ++i) tangent[i] = select(has_direction, flat[i], other[i]);
+  const T length = sqrt(dot3(tangent, tangent));
+  for (T& x : tangent) x = x / length;
+}
 inline glm::vec3 tangent_towards(const glm::vec3& normal, const glm::vec3& v) {
-  const glm::vec3 flat = v - glm::dot(v, normal) * normal;
-  const float length2 = glm::dot(flat, flat);
-  if (length2 > 1e-12F) return flat / std::sqrt(length2);
-  const glm::vec3 other = std::abs(normal.x) < 0.5F ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
-  return glm::normalize(glm::cross(normal, other));
+  float tangent[3];
+  tangent_towards({normal.x, normal.y, normal.z}, {v.x, v.y, v.z}, tangent);
+  return {tangent[0], tangent[1], tangent[2]};
 }
 
 /// A direction in the frame of a normal and a tangent, x along the tangent.

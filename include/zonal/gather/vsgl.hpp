@@ -26,10 +26,9 @@ struct GaussianRecord {
   T position[3], normal[3], axis[3], coefficient[3];
   T variance, sharpness;
 
-  static constexpr int field_count = 14;
-  ZONAL_INLINE T& field(int i) {
-    if (i < 12) return (i < 3 ? position : i < 6 ? normal : i < 9 ? axis : coefficient)[i % 3];
-    return i == 12 ? variance : sharpness;
+  template <class Visit>
+  ZONAL_INLINE constexpr void members(const Visit& visit) {
+    visit(position), visit(normal), visit(axis), visit(coefficient), visit(variance), visit(sharpness);
   }
 };
 

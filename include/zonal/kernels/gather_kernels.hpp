@@ -16,6 +16,30 @@ namespace zonal {
 inline namespace ZONAL_TARGET {
 namespace kernels {
 
+namespace detail {
+template <class Io, class T>
+void take(Io& io, const char* parameter, Domain domain, T (&vector)[3]) {
+  const auto values = io.vector(parameter, domain);
+  for (std::size_t i = 0; i < 3; ++i) vector[i] = values[i];
+}
+}  // namespace detail
+
+struct TangentTowards : Kernel {
+  static constexpr const char* name = "tangent_towards";
+  static constexpr const char* summary =
+      "The unit tangent, at a normal, of the frame where a direction has phi = 0: a receiver's, towards the eye.";
+  static constexpr bool has_bands = false;
+  template <int, class Io>
+  static void run(Io& io) {
+    using T = typename Io::Scalar;
+    T normal[3], direction[3], tangent[3];
+    detail::take(io, "normal", Domain::unit_vector, normal);
+    detail::take(io, "direction", Domain::position, direction);  // of any length, and not along the normal
+    zonal::detail::tangent_towards(normal, direction, tangent);
+    io.output_triples("tangent", 0).set(0, tangent[0], tangent[1], tangent[2]);
+  }
+};
+
 template <Horizon method>
 struct HorizonOf : Kernel {
   static constexpr const char* name = method == Horizon::exact ? "horizon_exact" : "horizon_smoothstep";
@@ -46,18 +70,18 @@ struct HvlRadiance : Kernel {
     using T = typename Io::Scalar;
     using Record = HvlRecord<NE, T>;
     Record light;
-    take(io, "light_position", Domain::light_position, light.position);
-    take(io, "light_normal", Domain::unit_vector, light.normal);
-    take(io, "light_tangent", Domain::unit_vector, light.tangent);
+    detail::take(io, "light_position", Domain::light_position, light.position);
+    detail::take(io, "light_normal", Domain::unit_vector, light.normal);
+    detail::take(io, "light_tangent", Domain::unit_vector, light.tangent);
     light.radius = io.number("light_radius", Domain::radius);
     const auto emission = io.template triples<Record::emission_size>("light_emission", Domain::coefficient);
     for (int i = 0; i < 3 * Record::emission_size; ++i) {
       light.emission[i % 3][i / 3] = emission[static_cast<std::size_t>(i)];
     }
     ReceiverFrame<T> receiver;
-    take(io, "position", Domain::position, receiver.position);
-    take(io, "normal", Domain::unit_vector, receiver.normal);
-    take(io, "tangent", Domain::unit_vector, receiver.tangent);
+    detail::take(io, "position", Domain::position, receiver.position);
+    detail::take(io, "normal", Domain::unit_vector, receiver.normal);
+    detail::take(io, "tangent", Domain::unit_vector, receiver.tangent);
 
     constexpr int material_size = even_index(N, 0);
     const auto coefficients = io.template triples<material_size>("material", Domain::coefficient);
@@ -73,13 +97,6 @@ struct HvlRadiance : Kernel {
     T radiance[3];
     hvl_radiance<N, NE, method>(light, receiver, material, radiance);
     io.output_triples("radiance", 0).set(0, radiance[0], radiance[1], radiance[2]);
-  }
-
- private:
-  template <class Io, class T>
-  static void take(Io& io, const char* parameter, Domain domain, T (&vector)[3]) {
-    const auto values = io.vector(parameter, domain);
-    for (std::size_t i = 0; i < 3; ++i) vector[i] = values[i];
   }
 };
 

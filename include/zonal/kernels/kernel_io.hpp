@@ -42,6 +42,7 @@ enum class Domain {
   window_width,     // > 0
   cell_coordinate,  // 0 to 1
   vertex_count,     // a whole number, >= 2
+  row_count,        // a whole number, >= 1
 };
 
 enum class Direction { in, out, inout };

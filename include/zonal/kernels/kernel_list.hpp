@@ -13,6 +13,7 @@
 #include "grid_kernels.hpp"
 #include "light_kernels.hpp"
 #include "lobe_kernels.hpp"
+#include "material_kernels.hpp"
 #include "scalar_kernels.hpp"
 #include "transform_kernels.hpp"
 
@@ -37,8 +38,9 @@ using ColourKernels =
 using SceneKernels = KernelList<Sphere, SphereWithGradient,                                               // lights
                                 CellPosition, CellWeightsOf<Interpolation::trilinear>,                    // grid
                                 CellWeightsOf<Interpolation::hermite>, ClearSums, AddSphere, FinishSums,  //
-                                HorizonOf<Horizon::smoothstep>, HorizonOf<Horizon::exact>,  // virtual lights
-                                HvlRadiance<1>, HvlRadiance<3>>;
+                                MaterialRow, MaterialBetweenRows,                                         // materials
+                                TangentTowards, HorizonOf<Horizon::smoothstep>, HorizonOf<Horizon::exact>,
+                                HvlRadiance<1>, HvlRadiance<3>>;  // virtual lights
 // They are no shader functions: of fixed lights, and for tests.
 using UnwrittenKernels =
     KernelList<Arcs, SpotWithGradient, TriangleSphereWithGradient, PolygonWithGradient, HvlRadiance<3, Horizon::exact>,

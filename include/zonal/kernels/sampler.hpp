@@ -84,6 +84,7 @@ class InputSampler {
       case Domain::window_width: return bands_ * any_size(0.5);
       case Domain::cell_coordinate: return sometimes() ? (sign() < 0 ? 0 : 1) : uniform(0, 1);
       case Domain::vertex_count: return std::floor(uniform(2, 65));
+      case Domain::row_count: return sometimes() ? 1 : std::floor(uniform(2, 91));
       default: return uniform(-1, 1);
     }
   }

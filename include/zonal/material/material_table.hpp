@@ -19,11 +19,11 @@
 #include <vector>
 
 #include "../basis/sh.hpp"
-#include "../scalar/math.hpp"
 #include "../transform/window.hpp"
 #include "brdf.hpp"
 #include "node_projection.hpp"
 #include "projection.hpp"
+#include "table_rows.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
@@ -35,15 +35,14 @@ namespace detail {
 /// than a row holds, the rest stays as it is.
 template <class Coefficients>
 void interpolate_rows(const std::vector<glm::vec3>& table, int angles, float cos_outgoing, Coefficients& result) {
-  const float degrees = acos(clamp(cos_outgoing, -1.0F, 1.0F)) * float(180 / kPi);
-  const float last = float(angles - 1), position = degrees < last ? degrees : last;
+  const float position = row_position(cos_outgoing, float(angles));
   const int below = int(position), above = (std::min)(below + 1, angles - 1);
   const float t = position - float(below);
   const int row_size = int(table.size()) / angles;
   const glm::vec3* row_below = table.data() + below * row_size;
   const glm::vec3* row_above = table.data() + above * row_size;
   for (int i = 0; i < (std::min)(int(result.size()), row_size); ++i)
-    result[i] = row_below[i] + t * (row_above[i] - row_below[i]);
+    result[i] = between_rows(row_below[i], row_above[i], t);
 }
 
 }  // namespace detail

@@ -1,11 +1,12 @@
-// Loops over lights and grid vertices, in GLSL: thin shells around the recorded functions, which hold all the
-// mathematics.
+// Loops over lights, a material's coefficients and grid vertices, in GLSL: thin shells around the recorded functions,
+// which hold all the mathematics.
 //
-// A shell reads lights and grids through macros that the including shader defines, so that they may stand in any
-// buffer, texture or uniform:
+// A shell reads lights, materials and grids through macros that the including shader defines, so that they may stand in
+// any buffer, texture or uniform. What is written there, by one call each: buffers.hpp.
 //
-//   ZONAL_LIGHT(i)   float number i of the lights, light after light, the fields in the order given with each shell
-//   ZONAL_GRID(i)    float number i of a grid, in the order of CoefficientGrid::data()
+//   ZONAL_LIGHT(i)      float number i of the lights, light after light, the fields in the order given with each shell
+//   ZONAL_MATERIAL(i)   float number i of materials, one after the other
+//   ZONAL_GRID(i)       float number i of a grid, in the order of CoefficientGrid::data()
 #pragma once
 
 #include <string>
@@ -87,7 +88,7 @@ std::string load_light() {
 
 template <int NE, bool is_reversed>
 std::string gather_text(int bands) {
-  const std::string text = R"(// A virtual light: $FIELDS floats, in the order of HvlRecord::field.
+  const std::string text = R"(// A virtual light: $FIELDS floats, in the order of HvlRecord::members.
 #ifndef $GUARDHVL_$NE
 #define $GUARDHVL_$NE
 struct zonal_Hvl_$NE {
@@ -123,7 +124,7 @@ $LOOPS  return max(sum, vec3(0.0f));
   const std::string name = std::string("gather") + (NE == 1 ? "_diffuse" : "") + (is_reversed ? "_reversed" : "");
   return substitute(text, {{"$LOOPS", light_loops(loop, order_suffixes<kernels::HvlRadiance<NE>>(bands, is_reversed))},
                            {"$RADIANCE", kernels::HvlRadiance<NE>::name},
-                           {"$FIELDS", std::to_string(HvlRecord<NE, float>::field_count)},
+                           {"$FIELDS", std::to_string(field_count<HvlRecord<NE, float>>)},
                            {"$SIZE", std::to_string(HvlRecord<NE, float>::emission_size)},
                            {"$EMISSION", load_light<NE>()},
                            {"$MATERIAL", std::to_string(even_index(bands, 0))},
@@ -134,6 +135,43 @@ $LOOPS  return max(sum, vec3(0.0f));
 template <int NE, bool is_reversed>
 std::vector<ShellNeed> gather_needs(int bands) {
   return with_orders<kernels::HvlRadiance<NE>>(bands, is_reversed);
+}
+
+// ---- Materials ------------------------------------------------------------------------------------------------------
+
+template <bool has_cosine>
+std::string material_text(int bands) {
+  const std::string text = R"(// $F of m >= 0 at the outgoing direction of this cosine; see MaterialTable::$NAME
+// (zonal/material/material_table.hpp). `table` is the number of its first float.
+void zonal_material_$NAME_$N($uint table, $float cos_outgoing, $precise out $vec3 coefficients[$COUNT]) {
+  $uint rows = uint(ZONAL_MATERIAL(table));
+  $uint row_size = uint(ZONAL_MATERIAL(table + 1u));
+  $precise $float row = zonal_material_row(cos_outgoing, float(rows));
+  $uint below = uint(row);
+  $uint above = min(below + 1u, rows - 1u);
+  $precise $float t = row - float(below);
+  $uint first = table + 2u$SKIP;
+  for ($int i = 0; i < $COUNT; ++i) {
+    coefficients[i] = vec3(0.0f);
+    if (uint(i) < row_size) {
+      $uint a = first + 3u * (below * row_size + uint(i));
+      $uint b = first + 3u * (above * row_size + uint(i));
+      coefficients[i] = zonal_material_between_rows(
+          vec3(ZONAL_MATERIAL(a), ZONAL_MATERIAL(a + 1u), ZONAL_MATERIAL(a + 2u)),
+          vec3(ZONAL_MATERIAL(b), ZONAL_MATERIAL(b + 1u), ZONAL_MATERIAL(b + 2u)), t);
+    }
+  }
+}
+)";
+  return substitute(text,
+                    {{"$NAME", has_cosine ? "with_cosine" : "without_cosine"},
+                     {"$F", has_cosine ? "F, the material with the cosine," : "F', the material without the cosine,"},
+                     {"$SKIP", has_cosine ? "" : " + 3u * rows * row_size"},
+                     {"$COUNT", std::to_string(even_index(bands, 0))},
+                     {"$N", std::to_string(bands)}});
+}
+inline std::vector<ShellNeed> material_needs(int) {
+  return {{kernels::MaterialRow::name}, {kernels::MaterialBetweenRows::name}};
 }
 
 // ---- The grid -------------------------------------------------------------------------------------------------------
@@ -175,7 +213,11 @@ std::vector<ShellNeed> sum_lights_needs(int bands) {
 
 template <Interpolation method>
 std::string interpolate_text(int bands) {
+  // Hermite reads gradients, so its grids have four blocks.
   const std::string text = R"(// Coefficients at a position in a grid; see interpolate (zonal/grid/interpolate.hpp).
+#ifndef ZONAL_GRID_BLOCKS  // of a vertex: value and gradient, or 1u of a grid of values alone
+#define ZONAL_GRID_BLOCKS 4u
+#endif
 void zonal_interpolate_$NAME_$N($vec3 position, $vec3 low, $vec3 high, $uvec3 vertices,
     $precise out $vec3 sh[$COUNT]) {
   $vec3 place = zonal_cell_position(position, low, high, vec3(vertices));
@@ -189,7 +231,7 @@ void zonal_interpolate_$NAME_$N($vec3 position, $vec3 low, $vec3 high, $uvec3 ve
     for ($uint corner = 0u; corner < 8u; ++corner) {
       $uint vertex = first + (corner & 1u) + vertices.x * ((corner >> 1u & 1u) + vertices.y * (corner >> 2u));
       for ($uint block = 0u; block < $BLOCKSu; ++block) {
-        $uint at = 3u * ((vertex * 4u + block) * $COUNTu + uint(i));
+        $uint at = 3u * ((vertex * ZONAL_GRID_BLOCKS + block) * $COUNTu + uint(i));
         sum += weights[corner * $BLOCKSu + block] * vec3(ZONAL_GRID(at), ZONAL_GRID(at + 1u), ZONAL_GRID(at + 2u));
       }
     }
@@ -219,6 +261,10 @@ inline constexpr Shell shells[] = {
      detail::gather_text<1, false>},
     {"gather_diffuse_reversed", "The same, order by order.", detail::gather_needs<1, true>,
      detail::gather_text<1, true>},
+    {"material_with_cosine", "A material's F at an outgoing direction: what the gathers take.", detail::material_needs,
+     detail::material_text<true>},
+    {"material_without_cosine", "Its F', what virtual lights are made of.", detail::material_needs,
+     detail::material_text<false>},
     {"sum_lights", "All sphere lights at a vertex of a grid, with gradients.", detail::sum_lights_needs<false>,
      detail::sum_lights_text<false>},
     {"sum_lights_reversed", "The same, order by order.", detail::sum_lights_needs<true>, detail::sum_lights_text<true>},

@@ -108,7 +108,7 @@ inline constexpr Accuracy kKernelAccuracy[] = {
     in_any_scalar("clear_sums", 0),
     in_any_scalar("add_sphere", 4),
     in_any_scalar("finish_sums", 2),
-    in_any_scalar("material_row", 8, kUlpOfTypical),
+    in_any_scalar("material_row", 2, kUlpOfTypical),
     in_any_scalar("material_between_rows", 3, kUlpOfTypical),
     in_any_scalar("tangent_towards", 20),
     in_any_scalar("horizon_smoothstep", 2, kUlpOfTypical),

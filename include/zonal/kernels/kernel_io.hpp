@@ -85,7 +85,7 @@ template <class T>
 struct Numbers {
   T* values;
   int stride;  // 3 where they are one channel of colours
-  T& operator[](int i) const { return values[stride * i]; }
+  ZONAL_INLINE T& operator[](int i) const { return values[stride * i]; }
 };
 template <class T>
 struct Triples {
@@ -112,7 +112,7 @@ template <class T>
 struct ShOutput {
   Numbers<T> values;
   template <int l, int m>
-  void operator()(Index<l>, Index<m>, const T& value) const {
+  ZONAL_INLINE void operator()(Index<l>, Index<m>, const T& value) const {
     values[sh_index(l, m)] = value;
   }
 };
@@ -121,7 +121,7 @@ struct GradientOutput {
   Numbers<T> values;
   Planes<T> gradient;
   template <int l, int m>
-  void operator()(Index<l>, Index<m>, const T& value, const T& x, const T& y, const T& z) const {
+  ZONAL_INLINE void operator()(Index<l>, Index<m>, const T& value, const T& x, const T& y, const T& z) const {
     values[sh_index(l, m)] = value;
     gradient.set(sh_index(l, m), x, y, z);
   }
@@ -131,7 +131,7 @@ template <class T>
 struct ZonalOutput {
   Numbers<T> values;
   template <int l>
-  void operator()(Index<l>, const T& value) const {
+  ZONAL_INLINE void operator()(Index<l>, const T& value) const {
     values[l] = value;
   }
 };

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <string_view>
+#include <utility>
 
 #include "../basis/evaluate.hpp"
 #include "../lobe/lambert.hpp"
@@ -18,12 +19,15 @@ inline namespace ZONAL_TARGET {
 namespace kernels {
 
 namespace detail {
+// Not copied by a loop: it reads as a vector what was written number by number, and waits.
+template <class Result, class T, std::size_t... I>
+Result as_coefficients(const std::array<T, sizeof...(I)>& values, std::index_sequence<I...>) {
+  return {{values[I]...}};
+}
 template <template <int, class> class Coefficients, int N, int Count, class Io>
 auto take_coefficients(Io& io, const char* name, bool is_first) {
-  const auto values = io.template coefficients<Count>(name, is_first);
-  Coefficients<N, typename Io::Scalar> result{};
-  for (int i = 0; i < Count; ++i) result[i] = values[static_cast<std::size_t>(i)];
-  return result;
+  return as_coefficients<Coefficients<N, typename Io::Scalar>>(io.template coefficients<Count>(name, is_first),
+                                                               std::make_index_sequence<std::size_t{Count}>{});
 }
 template <int N, class Io>
 auto take_sh(Io& io, const char* name, bool is_first = true) {

@@ -249,4 +249,44 @@ def furnace(folder):
     save(figure, folder, "furnace")
 
 
-ALL = [gather, evaluation, interpolation, triangles, materials, furnace]
+def overview(folder):
+    """The README's: one panel each of the basis, virtual lights and grids, beside the rivals."""
+    basis, interpolation_rows = read(folder, "evaluation"), read(folder, "interpolation")
+    pictures = where(read(folder, "gather"), part="sweep", scene="glossy", visibility="centre")
+    if not (basis and interpolation_rows and pictures):
+        return
+    figure, axes = panels(1, 3, height=2.9)
+    axis = axes[0][0]
+    forms = {"gradient": (BLUE, "zonal"), "polynomial-gradient": (ORANGE, "polynomials"), "sloan-like": (RED, "by angles")}
+    for form, (colour, label) in forms.items():
+        for scalar, dashes in (("float", "-"), ("packet", ":")):
+            line = where(basis, quantity="gradient", form=form, scalar=scalar)
+            axis.plot([row["bands"] for row in line], [row["ns"] for row in line], dashes, color=colour,
+                      label=label if scalar == "float" else None)
+    lanes = max(row["lanes"] for row in basis)
+    axis.set(yscale="log", xlabel="bands", ylabel="ns per direction", title="basis and gradient")
+    axis.plot([], [], ":", color="#666666", label=f"in packets of {lanes:.0f}")
+
+    axis = axes[0][1]
+    for method, (colour, marker) in METHOD_STYLE.items():
+        front = pareto(where(pictures, method=method), gather_ms, lambda row: row["rmse"])
+        axis.plot([gather_ms(row) for row in front], [row["rmse"] for row in front], color=colour, marker=marker,
+                  label=METHOD[method])
+    axis.set(xscale="log", yscale="log", xlabel="virtual lights and gather, ms", ylabel="RMSE of the picture",
+             title="glossy atrium, by their best variants")
+    for ticks in (axis.xaxis, axis.yaxis):
+        plain_ticks(ticks)
+
+    axis = axes[0][2]
+    for method, (colour, marker) in INTERPOLATION.items():
+        line = where(interpolation_rows, method=method)
+        axis.plot([row["kibibytes"] for row in line], [row["value_error"] for row in line], color=colour, marker=marker,
+                  label=method)
+    axis.set(xscale="log", yscale="log", xlabel="memory of the grid, KiB", ylabel="mean error of coefficients",
+             title="64 lights on a grid")
+    for axis, columns in zip(axes[0], (2, 3, 3)):
+        axis.legend(loc="upper center", bbox_to_anchor=(0.5, -0.24), ncols=columns)
+    save(figure, folder, "overview")
+
+
+ALL = [gather, evaluation, interpolation, triangles, materials, furnace, overview]

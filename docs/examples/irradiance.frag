@@ -2,7 +2,7 @@
 // A surface under distant light in 3 bands, nine colours, for every normal: a whole fragment shader of WebGL 2.
 precision highp float;
 
-// zonal 0.1.0, GLSL ES 3.00. --bands 3 --functions reconstruct_lambert_colour
+// zonal 0.2.0, GLSL ES 3.00. --bands 3 --functions reconstruct_lambert_colour
 // 1 function, 73 operations. Written by zonal-glsl: do not edit.
 
 #ifndef ZONAL_RECONSTRUCT_LAMBERT_COLOUR_3

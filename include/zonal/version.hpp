@@ -4,7 +4,7 @@
 #include "scalar/target.hpp"
 
 #define ZONAL_VERSION_MAJOR 0
-#define ZONAL_VERSION_MINOR 1
+#define ZONAL_VERSION_MINOR 2
 #define ZONAL_VERSION_PATCH 0
 
 namespace zonal {

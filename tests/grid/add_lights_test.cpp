@@ -241,7 +241,7 @@ TEST_CASE("grid from polygons: begun at a straight corner, not convex, or withou
   using Quad = zonal::PolygonLight<4, float>;
   const auto grid_of = [](const auto& lights) {
     zonal::CoefficientGrid<N> grid({-1, -1, 0.5F}, {1, 1, 2}, {7, 7, 6});
-    zonal::add_lights(grid, lights, 1e-6, serially);
+    zonal::add_lights(grid, lights, serially);
     return grid;
   };
   const auto check_same = [](const auto& a, const auto& b) {

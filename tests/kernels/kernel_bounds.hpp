@@ -50,10 +50,10 @@ inline constexpr KernelBound kernel_bounds[] = {
     {"horizon_smoothstep", 3, Unit::largest_of_all},
     {"horizon_exact", 3, Unit::largest_of_all},
     {"hvl_radiance_diffuse", 15, Unit::largest_of_all},
-    {"hvl_radiance", 6, Unit::largest_of_all},
+    {"hvl_radiance", 8, Unit::largest_of_all},
     {"arcs", 4, Unit::largest_of_run},
     {"project_spot_with_gradient", 40, Unit::largest_of_run},
     {"project_triangle_sphere_with_gradient", 35, Unit::largest_of_run},
     {"project_polygon_with_gradient", 40, Unit::largest_of_run},
-    {"hvl_radiance_exact", 6, Unit::largest_of_all},
+    {"hvl_radiance_exact", 8, Unit::largest_of_all},
 };

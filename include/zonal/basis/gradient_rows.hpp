@@ -70,8 +70,9 @@ struct PaddedRows {
   const T* values() const { return storage + row_step; }
 };
 
+// To arrays of N*N numbers each.
 template <int N, class T>
-void gradient_in_rows(const T& x, const T& y, const T& z, Sh<N, T>& value, Sh<N, T> (&gradient)[3]) {
+void gradient_in_rows(const T& x, const T& y, const T& z, T* value, T* by_x, T* by_y, T* by_z) {
   constexpr auto& table = step_rows<N, T, SolidWeights, false>;
   PaddedRows<N, T> basis_rows, mirrored_rows;
   T* const basis = basis_rows.values();
@@ -81,7 +82,6 @@ void gradient_in_rows(const T& x, const T& y, const T& z, Sh<N, T>& value, Sh<N,
     mirrored[sh_index(l, -m)] = y_lm;
   });
 
-  T *by_x = gradient[0].values, *by_y = gradient[1].values, *by_z = gradient[2].values;
   by_x[0] = by_y[0] = by_z[0] = T(0);
   unroll<1, N>([&](auto l) ZONAL_INLINE {
     constexpr int first = sh_index(l, -l), size = 2 * l + 1, padded = (size + row_step - 1) / row_step * row_step;
@@ -96,7 +96,7 @@ void gradient_in_rows(const T& x, const T& y, const T& z, Sh<N, T>& value, Sh<N,
     }
     for (int i = first; i < end; ++i) by_z[i] = table.same[i] * basis[i - down] - lz * basis[i];
   });
-  for (int i = 0; i < N * N; ++i) value.values[i] = basis[i];
+  for (int i = 0; i < N * N; ++i) value[i] = basis[i];
 }
 
 // The gradients of N degrees from the values of their neighbours, to where x, y and z lead; null where one is not asked

@@ -214,5 +214,12 @@ void add_lights(CoefficientGrid<N, content>& grid, const std::vector<ColouredLig
   });
 }
 
+/// The same within the tolerance that project() of a polygon has by itself.
+template <int N, GridContent content, int V, class ForEach>
+void add_lights(CoefficientGrid<N, content>& grid, const std::vector<ColouredLight<PolygonLight<V, float>>>& lights,
+                ForEach&& for_each) {
+  add_lights(grid, lights, 1e-6, for_each);
+}
+
 }  // namespace ZONAL_TARGET
 }  // namespace zonal

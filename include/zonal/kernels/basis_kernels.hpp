@@ -52,7 +52,7 @@ struct EvaluateWithGradient : Kernel {
     const auto v = io.vector("direction", Domain::unit_vector);
     const auto y = io.template output_sh<N>("y");
     const auto gradient = io.template output_gradient<N>("gradient");
-    evaluate_with_gradient<N>(v[0], v[1], v[2], GradientOutput<T>{y, gradient});
+    zonal::detail::evaluate_with_gradient_into<N, T>(v[0], v[1], v[2], y.values, gradient[0], gradient[1], gradient[2]);
   }
 };
 

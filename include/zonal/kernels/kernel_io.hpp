@@ -53,12 +53,31 @@ struct Parameter {
   Domain domain;
   int components;
   int count;
-  bool has_orders = false;  // whether (l, m) stands at l (l + 1) + m
+  bool has_orders = false;   // whether (l, m) stands at l (l + 1) + m
+  bool is_gradient = false;  // triples that the kernel leaves as planes
 
   bool is_array() const { return count > 0; }
   int elements() const { return is_array() ? count : 1; }
   int size() const { return elements() * components; }
 };
+
+/// The order of what a kernel gives: output after output, inouts too, in the order in which it names them, each as the
+/// array that a shader function has; but gradients are planes, d/dx of all coefficients, then d/dy, then d/dz, as the
+/// library has them and computes them fastest. This brings them into the order of the shader function.
+template <class T>
+std::vector<T> with_triples(const std::vector<Parameter>& parameters, const std::vector<T>& given) {
+  std::vector<T> result;
+  std::size_t first = 0;
+  for (const Parameter& p : parameters) {
+    if (p.direction == Direction::in) continue;
+    for (int i = 0; i < p.size(); ++i) {
+      const int place = p.is_gradient ? i % 3 * p.count + i / 3 : i;
+      result.push_back(given[first + static_cast<std::size_t>(place)]);
+    }
+    first += static_cast<std::size_t>(p.size());
+  }
+  return result;
+}
 
 /// Numbers, or triples of them, that a kernel writes; an inout also reads them.
 template <class T>
@@ -76,6 +95,17 @@ struct Triples {
   }
 };
 
+/// A gradient by x, y and z: `size` numbers of each.
+template <class T>
+struct Planes {
+  T* values;
+  int size;
+  T* operator[](int axis) const { return values + axis * size; }
+  void set(int i, const T& x, const T& y, const T& z) const {
+    values[i] = x, values[size + i] = y, values[2 * size + i] = z;
+  }
+};
+
 /// Where a kernel that gives (l, m, value), or (l, m, value, d/dx, d/dy, d/dz), is to leave them.
 template <class T>
 struct ShOutput {
@@ -88,7 +118,7 @@ struct ShOutput {
 template <class T>
 struct GradientOutput {
   Numbers<T> values;
-  Triples<T> gradient;
+  Planes<T> gradient;
   template <int l, int m>
   void operator()(Index<l>, Index<m>, const T& value, const T& x, const T& y, const T& z) const {
     values[sh_index(l, m)] = value;
@@ -155,14 +185,14 @@ class DescribingIo {
   Triples<T> output_triples(const char* name, int count) {
     return {put({name, Direction::out, Domain::coefficient, 3, count})};
   }
-  /// Coefficients, (l, m) at l (l + 1) + m, and triples in that order.
+  /// Coefficients, (l, m) at l (l + 1) + m, and gradients in that order.
   template <int N>
   Numbers<T> output_sh(const char* name) {
     return result(name, N * N, true);
   }
   template <int N>
-  Triples<T> output_gradient(const char* name) {
-    return {put({name, Direction::out, Domain::coefficient, 3, N * N, true})};
+  Planes<T> output_gradient(const char* name) {
+    return {put({name, Direction::out, Domain::coefficient, 3, N * N, true, true}), N * N};
   }
   Numbers<T> sums(const char* name, int count) {
     return {put({name, Direction::inout, Domain::coefficient, 1, count}), 1};
@@ -172,11 +202,11 @@ class DescribingIo {
   bool keeps(int m) const { return order_ == all_orders || order_ == (m < 0 ? -m : m); }
 
   const std::vector<Parameter>& parameters() const { return parameters_; }
-  /// The numbers of all outputs and inouts, one after the other.
+  /// The numbers of all outputs and inouts, one after the other, gradients as triples.
   std::vector<T> outputs() const {
     std::vector<T> all;
     for (const auto& values : outputs_) all.insert(all.end(), values.begin(), values.end());
-    return all;
+    return with_triples(parameters_, all);
   }
 
  private:

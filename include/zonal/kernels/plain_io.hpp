@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 
 #include "../lobe/cap.hpp"
 #include "kernel_io.hpp"
@@ -12,8 +13,9 @@ inline namespace ZONAL_TARGET {
 namespace kernels {
 
 /// Hands a kernel its inputs off one array and lays its outputs into another, each in the order in which the kernel
-/// names them; an inout stands in both. Nothing is described, checked or allocated: it can be timed. Entries for
-/// colours need `with_colours`; the others are slower with it, for the compiler no longer knows their outputs' stride.
+/// names them, gradients as planes (with_triples, kernel_io.hpp); an inout stands in both. Nothing is described,
+/// checked or allocated: it can be timed. Entries for colours need `with_colours`; the others are slower with it, for
+/// the compiler no longer knows their outputs' stride.
 template <class T, bool with_colours = false>
 class PlainIo {
  public:
@@ -64,8 +66,8 @@ class PlainIo {
     return output(name, N * N);
   }
   template <int N>
-  Triples<T> output_gradient(const char* name) {
-    return output_triples(name, N * N);
+  Planes<T> output_gradient(const char*) {
+    return {put(3 * N * N), N * N};
   }
   Numbers<T> sums(const char*, int count) {
     T* const values = put(elements(count));
@@ -80,10 +82,14 @@ class PlainIo {
 
   template <std::size_t Size, std::size_t Stride = 1>
   std::array<T, Size> take(int from = 0) {
-    std::array<T, Size> values;
-    for (std::size_t i = 0; i < Size; ++i) values[i] = inputs_[Stride * i + static_cast<std::size_t>(from)];
+    const T* const first = inputs_ + from;
     inputs_ += Stride * Size;
-    return values;
+    return take<Stride>(first, std::make_index_sequence<Size>{});
+  }
+  // Not by a loop: GCC then copies packets by halves, and waits when it reads the whole.
+  template <std::size_t Stride, std::size_t... I>
+  static std::array<T, sizeof...(I)> take(const T* first, std::index_sequence<I...>) {
+    return {first[Stride * I]...};
   }
   T* put(int size) {
     T* const values = outputs_;

@@ -153,8 +153,9 @@ class FunctionWriter {
       case Declarations::cpp: break;
     }
     const std::string all = array + (p.components > 1 ? brackets(p.components) : "");
-    if (all.empty()) return "float " + std::string(is_in ? "" : "&") + name;
-    return std::string(is_in ? "const " : "") + "float (&" + name + ")" + all;
+    const std::string number(dialect_.number);
+    if (all.empty()) return number + (is_in ? " " : " &") + name;
+    return (is_in ? "const " : "") + number + " (&" + name + ")" + all;
   }
 
   // ---- The body ----------------------------------------------------------------------------------------------------

@@ -23,6 +23,7 @@ void register_orient(const Effort& effort);
 void register_gather(const Effort& effort);
 void register_gradient(const Effort& effort);
 void register_grid(const Effort& effort);
+void register_batch(const Effort& effort);
 
 /// The counters of every benchmark, per item, that is per direction, cap or light: how many operations of
 /// each kind the recorder has counted, and seconds.

@@ -41,6 +41,8 @@ class TableReporter : public benchmark::BenchmarkReporter {
     print_gradient_table_2(out, results_);
     out << "\n";
     print_gradient_figure_15(out);
+    out << "\n";
+    print_batches(out, results_);
     out.flush();
   }
 

@@ -1,13 +1,18 @@
-// What the benchmarks share. What is measured: kernels.hpp; the loop that measures it: run_kernel.hpp.
+// What the benchmarks share. What is measured: kernels.hpp, registry_bench.cpp; the loop that measures it:
+// run_kernel.hpp.
 #pragma once
 
 #include <benchmark/benchmark.h>
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
+
+#include <zonal/scalar/recorder.hpp>
 
 namespace zonal_bench {
 
@@ -24,6 +29,10 @@ void register_gather(const Effort& effort);
 void register_gradient(const Effort& effort);
 void register_grid(const Effort& effort);
 void register_batch(const Effort& effort);
+/// Every kernel of the registry that the others have left out: they come first.
+void register_registry(const Effort& effort);
+/// All kernels of the registry, in its order: the names of their benchmarks, less the scalar's.
+std::vector<std::string> registry_names();
 
 /// The counters of every benchmark, per item, that is per direction, cap or light: how many operations of
 /// each kind the recorder has counted, and seconds.
@@ -36,16 +45,17 @@ inline constexpr const char* lanes_counter = "lanes";
 inline constexpr std::array gather_lights{64, 196, 400};
 
 /// "name/bands".
-std::string kernel_name(const char* name, int bands);
+std::string kernel_name(const std::string& name, int bands);
 
-using Body = void (*)(benchmark::State&);
+using Body = std::function<void(benchmark::State&)>;
 // Google Benchmark has moved it between namespaces.
 using Benchmark = std::remove_pointer_t<decltype(benchmark::RegisterBenchmark("", std::declval<Body>()))>;
 
-/// A benchmark "name/bands/scalar".
-Benchmark* register_benchmark(const char* name, int bands, const char* scalar, Body body, const Effort& effort);
+/// A benchmark "name/bands/scalar"; null where there is one of that name.
+Benchmark* register_benchmark(const std::string& name, int bands, const char* scalar, const Body& body,
+                              const Effort& effort);
 
-/// Sets them, for the kernel of this name and bands; `items` is how many one iteration goes through.
-void set_counters(benchmark::State& state, const char* name, int bands, std::size_t items, std::size_t lanes);
+/// Sets them; `items` is how many one iteration goes through.
+void set_counters(benchmark::State& state, const zonal::OperationCount& count, std::size_t items, std::size_t lanes);
 
 }  // namespace zonal_bench

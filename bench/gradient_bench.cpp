@@ -1,4 +1,5 @@
 // The basis with its gradient: by the ladder, by the papers' angles, by differentiated polynomials.
+#include "kernels.hpp"
 #include "run_kernel.hpp"
 
 void zonal_bench::register_gradient(const Effort& effort) {

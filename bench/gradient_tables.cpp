@@ -54,18 +54,18 @@ void print_table_1(std::ostream& out, const Results& results, const char* scalar
   }
   print_row(out, "polynomial: evaluation", {27.82, 32.22, 40.57, 54.63, 84.51, 144.01}, here("polynomial"));
   print_row(out, "polynomial: gradient xyz", {56.91, 83.34, 122.28, 190.25, 386.91, 720.26},
-            here("polynomial-gradient", "polynomial"));
-  print_row(out, "polynomial: sum", {84.74, 115.56, 162.85, 244.87, 471.42, 864.27}, here("polynomial-gradient"));
+            here("polynomial_gradient", "polynomial"));
+  print_row(out, "polynomial: sum", {84.74, 115.56, 162.85, 244.87, 471.42, 864.27}, here("polynomial_gradient"));
   print_row(out, "Sloan's like: value, gradient theta phi", {25.86, 33.77, 44.51, 59.95, 106.35, 169.82},
-            here("sloan-like-angular"));
+            here("sloan_like_angular"));
   print_row(out, "Direct: value, gradient theta phi", {42.28, 60.66, 81.15, 112.32, 196.33, 296.94},
-            here("direct-angular"));
+            here("direct_angular"));
   print_row(out, "Cartesian conversion", {41.63, 43.67, 48.97, 53.82, 66.19, 84.41},
-            here("sloan-like", "sloan-like-angular"));
+            here("sloan_like", "sloan_like_angular"));
   print_row(out, "Sloan's like: value, gradient xyz", {67.50, 77.43, 93.48, 113.78, 172.55, 254.23},
-            here("sloan-like"));
+            here("sloan_like"));
   print_row(out, "Direct: value, gradient xyz", {83.92, 104.32, 130.13, 166.14, 262.52, 381.35}, here("direct"));
-  print_row(out, "here: value, gradient xyz, by the ladder", {}, here("gradient"));
+  print_row(out, "here: value, gradient xyz, by the ladder", {}, here("evaluate_with_gradient"));
 }
 
 constexpr std::array table_2_bands{5, 6, 7, 8, 9};
@@ -80,13 +80,13 @@ void print_gradient_table_1(std::ostream& out, const Results& results) {
   print_table_1(out, results, "packet");
   const auto row = [&](const char* kernel, const char* scalar) { return measured(results, kernel, nullptr, scalar); };
   out << "\nTimes faster, with the Cartesian gradient:\n";
-  const Row one = row("gradient", "float"), packet = row("gradient", "packet");
-  print_ratio(out, "one direction, than Sloan's like", row("sloan-like", "float"), one);
-  print_ratio(out, "one direction, than polynomials", row("polynomial-gradient", "float"), one);
-  print_ratio(out, "packet, than Sloan's like in packets", row("sloan-like", "packet"), packet);
-  print_ratio(out, "packet, than polynomials in packets", row("polynomial-gradient", "packet"), packet);
-  print_ratio(out, "packet, than Sloan's like, one by one", row("sloan-like", "float"), packet);
-  print_ratio(out, "packet, than polynomials, one by one", row("polynomial-gradient", "float"), packet);
+  const Row one = row("evaluate_with_gradient", "float"), packet = row("evaluate_with_gradient", "packet");
+  print_ratio(out, "one direction, than Sloan's like", row("sloan_like", "float"), one);
+  print_ratio(out, "one direction, than polynomials", row("polynomial_gradient", "float"), one);
+  print_ratio(out, "packet, than Sloan's like in packets", row("sloan_like", "packet"), packet);
+  print_ratio(out, "packet, than polynomials in packets", row("polynomial_gradient", "packet"), packet);
+  print_ratio(out, "packet, than Sloan's like, one by one", row("sloan_like", "float"), packet);
+  print_ratio(out, "packet, than polynomials, one by one", row("polynomial_gradient", "float"), packet);
 }
 
 void print_gradient_table_2(std::ostream& out, const Results& results) {

@@ -19,10 +19,10 @@ struct Column {
 constexpr std::array columns{Column{"evaluate", "evaluate", ""},
                              Column{"polynomial", "polynomial", ""},
                              Column{"orient", "orient", ""},
-                             Column{"cap stable", "cap-stable", ""},
-                             Column{"cap Eq. 14", "cap-legendre", ""},
-                             Column{"cap closed", "cap-closed", ""},
-                             Column{"light", "gather-smoothstep-3", "/400"}};
+                             Column{"cap stable", "cap", ""},
+                             Column{"cap Eq. 14", "cap_legendre", ""},
+                             Column{"cap closed", "cap_closed_form", ""},
+                             Column{"light", "gather_hvl_radiance", "/400"}};
 
 void print_scalar(std::ostream& out, const Results& results, const std::string& scalar) {
   const auto result = [&](const Column& column, int bands) {
@@ -57,11 +57,11 @@ void print_scalar(std::ostream& out, const Results& results, const std::string& 
 
 void print_kinds(std::ostream& out, const Results& results) {
   const auto print = [&](const std::string& kernel, const Result& result) {
-    out << format("%-24s", kernel.c_str());
+    out << format("%-34s", kernel.c_str());
     for (int count : result.counts) out << format("%6d", count);
     out << format("%7d", result.operations());
   };
-  out << "\n" << format("%-24s", "kernel/bands");
+  out << "\n" << format("%-34s", "kernel/bands");
   for (const char* kind : operation_counters) out << format("%6s", kind);
   out << "    ops";
   for (int lights : gather_lights) out << format("%7d", lights);
@@ -73,7 +73,6 @@ void print_kinds(std::ostream& out, const Results& results) {
       out << "\n";
     }
   }
-  // gather-horizon-emission bands/bands
   const std::string ending = "/packet/" + std::to_string(gather_lights.front());
   for (const auto& [name, result] : results) {
     const std::size_t end = name.find(ending);
@@ -93,8 +92,8 @@ void print_crossover(std::ostream& out, const Results& results) {
   int bands = last_bands;
   bool is_measured = false;
   for (; bands > 0; --bands) {
-    const Result* closed_form = find(results, kernel_name("cap-closed", bands) + "/float");
-    const Result* legendre = find(results, kernel_name("cap-legendre", bands) + "/float");
+    const Result* closed_form = find(results, kernel_name("cap_closed_form", bands) + "/float");
+    const Result* legendre = find(results, kernel_name("cap_legendre", bands) + "/float");
     if (closed_form == nullptr || legendre == nullptr) continue;
     is_measured = true;
     if (closed_form->operations() <= legendre->operations()) break;

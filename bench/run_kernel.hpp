@@ -1,14 +1,17 @@
 // How a kernel is measured: many different inputs, one loop.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
+#include <zonal/kernels/plain_io.hpp>
+#include <zonal/kernels/sampler.hpp>
 #include <zonal/scalar/packet.hpp>
 
 #include "bench.hpp"
-#include "kernels.hpp"
+#include "kernel_facts.hpp"
 
 namespace zonal_bench {
 
@@ -16,49 +19,71 @@ namespace zonal_bench {
 template <class T>
 struct Scalar {
   static constexpr std::size_t lanes = 1;
-  static constexpr const char* name = sizeof(T) == sizeof(float) ? "float" : "double";
+  static constexpr auto name = sizeof(T) == sizeof(float) ? "float" : "double";
   static void set(T& x, std::size_t, double value) { x = static_cast<T>(value); }
 };
 template <int W>
 struct Scalar<zonal::Packet<float, W>> {
   static constexpr std::size_t lanes = W;
-  static constexpr const char* name = "packet";
+  static constexpr auto name = "packet";
   static void set(zonal::Packet<float, W>& x, std::size_t lane, double value) {
     x.set(static_cast<int>(lane), static_cast<float>(value));
   }
 };
 
-/// Inputs of a domain, the same in every run: half of what the smallest first-level caches hold.
-template <class Domain, class T>
-auto random_inputs() {
-  using Input = std::array<T, Domain::inputs>;
-  std::vector<Input> inputs(16 * 1024 / sizeof(Input));
-  Random random(1);
-  for (Input& input : inputs) {
+/// The inputs of a kernel's runs, one after the other, and room for what a run gives.
+template <class T>
+struct KernelData {
+  std::vector<T> inputs, outputs;
+  std::size_t input_size = 0, runs = 0;
+};
+
+/// Inputs of a kernel, the same every time: half of what the smallest first-level caches hold.
+template <class T>
+KernelData<T> draw_data(const KernelFacts& facts, int bands) {
+  using zonal::kernels::Direction;
+  KernelData<T> data;
+  for (const auto& p : facts.parameters) {
+    const auto size = static_cast<std::size_t>(p.size());
+    if (p.direction != Direction::out) data.input_size += size;
+    if (p.direction != Direction::in) data.outputs.resize(data.outputs.size() + size);
+  }
+  const std::size_t size = std::max(data.input_size, std::size_t{1}) * sizeof(T);
+  data.runs = std::max(std::size_t{16 * 1024} / size, std::size_t{1});
+  data.inputs.resize(data.runs * data.input_size);
+  zonal::kernels::InputSampler sampler(1, bands, zonal::kernels::Draw::ordinary);
+  for (std::size_t run = 0; run < data.runs; ++run) {
     for (std::size_t lane = 0; lane < Scalar<T>::lanes; ++lane) {
-      const auto numbers = Domain::draw(random);
-      for (std::size_t i = 0; i < numbers.size(); ++i) Scalar<T>::set(input[i], lane, numbers[i]);
+      T* input = data.inputs.data() + run * data.input_size;
+      for (const double number : sampler.draw(facts.parameters)) Scalar<T>::set(*input++, lane, number);
     }
   }
-  return inputs;
+  return data;
 }
 
 /// The loop that is measured.
-template <class Kernel, class Inputs>
-void run_on_all(const Inputs& inputs) {
-  for (const auto& input : inputs) {
-    const auto result = Kernel::run(input);
-    // Of the address alone: the whole result must then stand in memory, but nothing copies it.
-    const auto* address = &result;
-    benchmark::DoNotOptimize(address);
+template <class Entry, int N, class T>
+void run_on_all(KernelData<T>& data) {
+  T* const outputs = data.outputs.data();
+  const T* readable = outputs;  // from anywhere
+  benchmark::DoNotOptimize(readable);
+  const T* inputs = data.inputs.data();
+  for (std::size_t i = data.runs; i > 0; --i, inputs += data.input_size) {
+    zonal::kernels::run_plainly<Entry, N>(inputs, outputs);
+    benchmark::ClobberMemory();  // what it gives must then stand in memory
   }
 }
 
-template <class Kernel, class T>
-void run_kernel(benchmark::State& state) {
-  const auto inputs = random_inputs<typename Kernel::Domain, T>();
-  for (auto _ : state) run_on_all<Kernel>(inputs);
-  set_counters(state, Kernel::name, Kernel::bands, inputs.size() * Scalar<T>::lanes, Scalar<T>::lanes);
+/// A benchmark of an entry in one scalar.
+template <class Entry, int N, class T>
+Benchmark* register_kernel(const std::function<KernelFacts()>& facts, const Effort& effort) {
+  const auto body = [facts](benchmark::State& state) {
+    const KernelFacts of_entry = facts();
+    KernelData<T> data = draw_data<T>(of_entry, N);
+    for (auto _ : state) run_on_all<Entry, N>(data);
+    set_counters(state, of_entry.count, data.runs * Scalar<T>::lanes, Scalar<T>::lanes);
+  };
+  return register_benchmark(Entry::name, N, Scalar<T>::name, body, effort);
 }
 
 /// Registers each kernel that it is called with, for the three scalars.
@@ -74,7 +99,8 @@ struct RegisterKernel {
 
   template <class Kernel, class T>
   void add() const {
-    register_benchmark(Kernel::name, Kernel::bands, Scalar<T>::name, run_kernel<Kernel, T>, effort);
+    register_kernel<typename Kernel::Entry, Kernel::bands, T>([] { return find_facts(Kernel::name, Kernel::bands); },
+                                                              effort);
   }
 };
 

@@ -46,10 +46,10 @@ def evaluation(folder):
     lanes = max(row["lanes"] for row in rows)
     gains = {quantity: one(rows, quantity=quantity, form=form, scalar="float", bands=5)["ns"] /
              one(rows, quantity=quantity, form=form, scalar="packet", bands=5)["ns"]
-             for quantity, form in (("evaluation", "evaluate"), ("gradient", "gradient"), ("cap", "cap-stable"),
+             for quantity, form in (("evaluation", "evaluate"), ("gradient", "evaluate_with_gradient"), ("cap", "cap"),
                                     ("rotation", "orient"))}
-    worst = max(where(rows, quantity="cap", form="cap-legendre", scalar="float"), key=lambda row: row["error"])
-    stable = max(where(rows, quantity="cap", form="cap-stable", scalar="float"), key=lambda row: row["error"])
+    worst = max(where(rows, quantity="cap", form="cap_legendre", scalar="float"), key=lambda row: row["error"])
+    stable = max(where(rows, quantity="cap", form="cap", scalar="float"), key=lambda row: row["error"])
     return "\n\n".join([
         "## Evaluation", figure("evaluation", "error and time of basis, gradient, cap and rotation"),
         "The greatest error, in units of the degree's largest value (of a cap: of its largest coefficient), over "

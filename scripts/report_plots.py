@@ -104,12 +104,12 @@ def gather(folder):
     save(figure, folder, "gather")
 
 
-FORM_COLOUR = {"evaluate": BLUE, "gradient": BLUE, "cap-stable": BLUE, "orient": BLUE, "polynomial": ORANGE,
-               "polynomial-gradient": ORANGE, "sloan-like": RED, "cap-legendre": RED, "cap-closed": ORANGE}
-FORM_NAME = {"evaluate": "recurrences", "gradient": "ladder", "cap-stable": "differences (stable)",
-             "orient": "recurrences", "polynomial": "polynomials", "polynomial-gradient": "polynomials",
-             "sloan-like": "Sloan's like, by angles", "cap-legendre": "Legendre polynomials",
-             "cap-closed": "closed forms"}
+FORM_COLOUR = {"evaluate": BLUE, "evaluate_with_gradient": BLUE, "cap": BLUE, "orient": BLUE, "polynomial": ORANGE,
+               "polynomial_gradient": ORANGE, "sloan_like": RED, "cap_legendre": RED, "cap_closed_form": ORANGE}
+FORM_NAME = {"evaluate": "recurrences", "evaluate_with_gradient": "ladder", "cap": "differences (stable)",
+             "orient": "recurrences", "polynomial": "polynomials", "polynomial_gradient": "polynomials",
+             "sloan_like": "Sloan's like, by angles", "cap_legendre": "Legendre polynomials",
+             "cap_closed_form": "closed forms"}
 SCALAR_MARKER = {"float": "o", "double": "s", "packet": "^"}
 QUANTITY = {"evaluation": "basis", "gradient": "basis and gradient", "cap": "spherical cap, zonal",
             "rotation": "zonal lobe turned (SLS05)"}
@@ -130,7 +130,7 @@ def evaluation(folder):
             for row in line:
                 front = pareto(where(here, bands=row["bands"]), lambda r: r["ns"], lambda r: r["error"])
                 axis.plot(row["ns"], row["error"], marker, color=colour, markerfacecolor=fill_of(row in front, colour))
-                if form in ("evaluate", "gradient", "cap-stable", "orient") and row["bands"] in (3, 5, 10):
+                if form in ("evaluate", "evaluate_with_gradient", "cap", "orient") and row["bands"] in (3, 5, 10):
                     axis.annotate(f"{row['bands']:.0f}", (row["ns"], row["error"]), (0, 5), size=7,
                                   textcoords="offset points", ha="center")
         axis.set(xscale="log", yscale="log", xlabel="ns per item", ylabel="greatest error", title=QUANTITY[quantity])

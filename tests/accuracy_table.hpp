@@ -1,12 +1,14 @@
-// The greatest errors that zonal promises, once: the tests read them from here, and so does docs/accuracy.md.
+// The greatest errors that zonal promises, once: the tests read them from here, and so does docs/accuracy.md
+// (accuracy_document.hpp).
 #pragma once
 
 #include <stdexcept>
 #include <string_view>
 
-/// One promise: the greatest error of a function in a scalar type, over a range, at a number of bands (0: has none).
+/// One promise: the greatest error of a kernel of the registry (zonal/kernels/kernel_list.hpp), or of a function of
+/// zonal/scalar/math.hpp, in a scalar type, over a range, at a number of bands (0: has none).
 struct Accuracy {
-  std::string_view function;
+  std::string_view kernel;
   std::string_view scalar;
   int bands;
   std::string_view range;
@@ -25,7 +27,21 @@ inline constexpr std::string_view kLargest = "largest coefficient";
 inline constexpr std::string_view kUlpOfResult = "ulp of the result";
 inline constexpr std::string_view kUlpOfPi = "ulp of pi";
 
-inline constexpr Accuracy kAccuracyTable[] = {
+inline constexpr std::string_view kAnyScalar = "any";
+inline constexpr std::string_view kRendering = "such as a renderer has";
+inline constexpr std::string_view kUlpOfLargest = "ulp of its largest output";
+inline constexpr std::string_view kUlpOfTypical = "ulp of its largest output, or of their root mean square if larger";
+
+/// The number of bands at which every kernel runs in every scalar: the rooms' own tests go further, with fewer scalars.
+inline constexpr int run_bands = 4;
+
+/// The promise of every kernel, against itself in long double (kernels/every_scalar_test.cpp). Where sums that
+/// are all the outputs may cancel, the unit is at least what such outputs commonly are.
+constexpr Accuracy in_any_scalar(std::string_view kernel, double ulps, std::string_view unit = kUlpOfLargest) {
+  return {kernel, kAnyScalar, run_bands, kRendering, unit, ulps};
+}
+
+inline constexpr Accuracy kKernelAccuracy[] = {
     {"evaluate", "float", 5, kAllDirections, kOfTheDegree, 1e-6},
     {"evaluate", "float", 10, kAllDirections, kOfTheDegree, 3e-6},
     {"evaluate", "float", 21, kAllDirections, kOfTheDegree, 1.2e-5},
@@ -41,23 +57,70 @@ inline constexpr Accuracy kAccuracyTable[] = {
     {"evaluate_with_gradient", "float", 10, kAllDirections, kSteepest, 4e-6},
     {"evaluate_with_gradient", "float", 21, kAllDirections, kSteepest, 1e-5},
     {"evaluate_with_gradient", "double", 21, kAllDirections, kSteepest, 1e-13},
-    {"project(SphericalCap)", "float", 10, kAllCaps, kLargest, 4e-7},
-    {"project(SphericalCap)", "float", 21, kAllCaps, kLargest, 4e-7},
-    {"project(SphericalCap)", "float", 51, kAllCaps, kLargest, 8e-7},
-    {"project(SphericalCap)", "double", 51, kAllCaps, kLargest, 2e-15},
-    {"project_up_to_hemisphere(SphericalCap)", "float", 10, kSmallCaps, kLargest, 4e-7},
-    {"project_up_to_hemisphere(SphericalCap)", "float", 21, kSmallCaps, kLargest, 7e-7},
-    {"project_up_to_hemisphere(SphericalCap)", "double", 21, kSmallCaps, kLargest, 2e-15},
-    {"project_derivative(SphericalCap)", "float", 10, kAllCaps, kLargest, 1.2e-6},
-    {"project_derivative(SphericalCap)", "float", 21, kAllCaps, kLargest, 2e-6},
-    {"project_derivative(SphericalCap)", "float", 51, kAllCaps, kLargest, 4e-6},
-    {"project_derivative(SphericalCap)", "double", 51, kAllCaps, kLargest, 8e-15},
-    {"project(LambertLobe)", "float", 21, "", kLargest, 6e-8},
-    {"project(LambertLobe)", "double", 21, "", kLargest, 2e-16},
-    {"project(PhongLobe)", "float", 21, "exponents 1 to 1000", kLargest, 2.5e-7},
-    {"project(PhongLobe)", "double", 21, "exponents 1 to 1000", kLargest, 5e-16},
-    {"project(SphericalGaussian)", "float", 21, "sharpness 0 to 1e6", kLargest, 1e-6},
-    {"project(SphericalGaussian)", "double", 21, "sharpness 0 to 1e6", kLargest, 2e-15},
+    {"cap", "float", 10, kAllCaps, kLargest, 4e-7},
+    {"cap", "float", 21, kAllCaps, kLargest, 4e-7},
+    {"cap", "float", 51, kAllCaps, kLargest, 8e-7},
+    {"cap", "double", 51, kAllCaps, kLargest, 2e-15},
+    {"cap_up_to_hemisphere", "float", 10, kSmallCaps, kLargest, 4e-7},
+    {"cap_up_to_hemisphere", "float", 21, kSmallCaps, kLargest, 7e-7},
+    {"cap_up_to_hemisphere", "double", 21, kSmallCaps, kLargest, 2e-15},
+    {"cap_derivative", "float", 10, kAllCaps, kLargest, 1.2e-6},
+    {"cap_derivative", "float", 21, kAllCaps, kLargest, 2e-6},
+    {"cap_derivative", "float", 51, kAllCaps, kLargest, 4e-6},
+    {"cap_derivative", "double", 51, kAllCaps, kLargest, 8e-15},
+    {"lambert", "float", 21, "", kLargest, 6e-8},
+    {"lambert", "double", 21, "", kLargest, 2e-16},
+    {"phong", "float", 21, "exponents 1 to 1000", kLargest, 2.5e-7},
+    {"phong", "double", 21, "exponents 1 to 1000", kLargest, 5e-16},
+    {"spherical_gaussian", "float", 21, "sharpness 0 to 1e6", kLargest, 1e-6},
+    {"spherical_gaussian", "double", 21, "sharpness 0 to 1e6", kLargest, 2e-15},
+    in_any_scalar("evaluate", 4),
+    in_any_scalar("evaluate_even", 5),
+    in_any_scalar("evaluate_zonal", 3),
+    in_any_scalar("evaluate_with_gradient", 5),
+    in_any_scalar("cap", 2),
+    in_any_scalar("cap_up_to_hemisphere", 3),
+    in_any_scalar("sphere_cap", 5),
+    in_any_scalar("cap_derivative", 5),
+    in_any_scalar("lambert", 1),
+    in_any_scalar("phong", 3),
+    in_any_scalar("spherical_gaussian", 4),
+    in_any_scalar("orient", 3),
+    in_any_scalar("reconstruct", 4, kUlpOfTypical),
+    in_any_scalar("reconstruct_even", 4, kUlpOfTypical),
+    in_any_scalar("reconstruct_zonal", 6, kUlpOfTypical),
+    in_any_scalar("reconstruct_lambert", 3, kUlpOfTypical),
+    in_any_scalar("reconstruct_convolved", 6, kUlpOfTypical),
+    in_any_scalar("convolve", 2),
+    in_any_scalar("convolve_zonal", 2),
+    in_any_scalar("dot", 3, kUlpOfTypical),
+    in_any_scalar("dot_even", 3, kUlpOfTypical),
+    in_any_scalar("dot_zonal", 2, kUlpOfTypical),
+    in_any_scalar("hann_window", 3),
+    in_any_scalar("sinc_window", 3),
+    in_any_scalar("apply_hann_window", 6),
+    in_any_scalar("apply_sinc_window", 6),
+    in_any_scalar("project_sphere", 25),
+    in_any_scalar("project_sphere_with_gradient", 25),
+    in_any_scalar("cell_position", 2),
+    in_any_scalar("trilinear_weights", 3),
+    in_any_scalar("hermite_weights", 4),
+    in_any_scalar("clear_sums", 0),
+    in_any_scalar("add_sphere", 4),
+    in_any_scalar("finish_sums", 2),
+    in_any_scalar("horizon_smoothstep", 2, kUlpOfTypical),
+    in_any_scalar("horizon_exact", 2, kUlpOfTypical),
+    in_any_scalar("hvl_radiance_diffuse", 20, kUlpOfTypical),
+    in_any_scalar("hvl_radiance", 25, kUlpOfTypical),
+    in_any_scalar("arcs", 3),
+    in_any_scalar("project_spot_with_gradient", 30),
+    in_any_scalar("project_triangle_sphere_with_gradient", 30),
+    in_any_scalar("project_polygon_with_gradient", 35),
+    in_any_scalar("hvl_radiance_exact", 25, kUlpOfTypical),
+    in_any_scalar("hvl_radiance_no_horizon", 25, kUlpOfTypical),
+};
+
+inline constexpr Accuracy kFunctionAccuracy[] = {
     // A packet's square root is Eigen's, which may be 2 ulp off.
     {"asin", "float", 0, kAllCosines, kUlpOfResult, 2},
     {"asin", "double", 0, kAllCosines, kUlpOfResult, 2},
@@ -77,12 +140,21 @@ inline constexpr Accuracy kAccuracyTable[] = {
     {"angle_from", "Packet of double", 0, "0 to pi", kUlpOfPi, 2},
 };
 
-/// The bound of the one row for this function, scalar and number of bands.
-constexpr double accuracy_bound(std::string_view function, std::string_view scalar, int bands = 0) {
-  for (const Accuracy& row : kAccuracyTable) {
-    if (row.function == function && row.scalar == scalar && row.bands == bands) return row.bound;
+/// The one row for this kernel or function, scalar and number of bands.
+constexpr Accuracy accuracy_of(std::string_view kernel, std::string_view scalar, int bands) {
+  const auto is_it = [&](const Accuracy& row) {
+    return row.kernel == kernel && row.scalar == scalar && row.bands == bands;
+  };
+  for (const Accuracy& row : kKernelAccuracy) {
+    if (is_it(row)) return row;
+  }
+  for (const Accuracy& row : kFunctionAccuracy) {
+    if (is_it(row)) return row;
   }
   throw std::invalid_argument("no such row in the table of accuracy");
+}
+constexpr double accuracy_bound(std::string_view kernel, std::string_view scalar, int bands = 0) {
+  return accuracy_of(kernel, scalar, bands).bound;
 }
 
 /// "float" or "double", and the packets of either.

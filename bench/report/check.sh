@@ -24,8 +24,8 @@ part() {
 
 part evaluation quantity,form,scalar,lanes,bands,ns,error '
   $6 <= 0 || $6 > 1e5 { fail("time") }
-  $2 ~ /^(evaluate|orient|gradient|cap-stable)$/ && $7 > ($3 == "double" ? 1e-13 : 2e-5) { fail("error") }
-  $2 == "cap-closed" && $3 == "float" && $5 > 1 && $7 < 0.01 { fail("accurate for small caps") }'
+  $2 ~ /^(evaluate|orient|evaluate_with_gradient|cap)$/ && $7 > ($3 == "double" ? 1e-13 : 2e-5) { fail("error") }
+  $2 == "cap_closed_form" && $3 == "float" && $5 > 1 && $7 < 0.01 { fail("accurate for small caps") }'
 part interpolation \
   method,bands,lights,resolution,kibibytes,build_ms,lookup_ns,lookup_with_gradient_ns,value_error,gradient_error '
   $7 <= 0 || $8 <= 0 { fail("time") }

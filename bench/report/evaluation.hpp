@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -10,43 +9,25 @@
 
 #include <zonal/scalar/scalar.hpp>
 
+#include "../kernels.hpp"
 #include "../run_kernel.hpp"
 #include "timing.hpp"
 
 namespace zonal_report {
 
-/// Inputs that are hard: every second direction lies at 1e-1 to 1e-7 from a pole, every second cap has a half angle of
-/// 1e-1 to 1e-4.
-template <class Domain>
-auto draw_hard(zonal_bench::Random& random, int index) {
-  auto numbers = Domain::draw(random);
-  if (index % 2 == 0) return numbers;
-  std::uniform_real_distribution<double> uniform;
-  const double decades = Domain::inputs == 2 ? 3 : 6;
-  const double angle = std::pow(10.0, -1 - decades * uniform(random)), phi = 2 * double(zonal::kPi) * uniform(random);
-  if constexpr (Domain::inputs == 2) {
-    numbers = {std::cos(angle), std::sin(angle)};
-  } else {
-    numbers[0] = std::sin(angle) * std::cos(phi);
-    numbers[1] = std::sin(angle) * std::sin(phi);
-    numbers[2] = std::cos(angle) * (index % 4 == 1 ? 1 : -1);
-  }
-  return numbers;
-}
-
-/// What a kernel should give. In long double the kernel itself; of a cap the stable form, for all that the other forms
+/// What an entry should give. In long double the entry itself; of a cap the stable form, for all that the other forms
 /// know of a small cap is lost with its cosine's last digits.
-template <class Kernel>
+template <class Entry>
 struct ReferenceOf {
-  using Type = Kernel;
+  using Type = Entry;
 };
-template <int N>
-struct ReferenceOf<zonal_bench::LegendreCap<N>> {
-  using Type = zonal_bench::StableCap<N>;
+template <>
+struct ReferenceOf<zonal_bench::LegendreCap> {
+  using Type = zonal_bench::kernels::Cap;
 };
-template <int N>
-struct ReferenceOf<zonal_bench::ClosedFormCap<N>> {
-  using Type = zonal_bench::StableCap<N>;
+template <>
+struct ReferenceOf<zonal_bench::ClosedFormCap> {
+  using Type = zonal_bench::kernels::Cap;
 };
 
 /// The greatest error, in units of the largest value: of a cap's largest coefficient, else of the degree's, values and
@@ -55,8 +36,7 @@ class ErrorByDegree {
  public:
   explicit ErrorByDegree(int bands) : bands_(bands), errors_(std::size_t(2 * bands)), units_(errors_) {}
 
-  template <class Result>
-  void add(const Result& exact, const std::vector<double>& got) {
+  void add(const std::vector<long double>& exact, const std::vector<double>& got) {
     const bool is_zonal = got.size() == std::size_t(bands_);
     double largest = 1;  // of a cap: its own unit
     if (is_zonal) largest = double(std::abs(*std::max_element(exact.begin(), exact.end(), by_size)));
@@ -91,34 +71,34 @@ class ErrorByDegree {
 };
 
 /// Runs the kernel on one input in every lane's scalar, and hands on lane 0.
-template <class Kernel, class T, class Numbers>
-void add_error(const Numbers& numbers, ErrorByDegree& error) {
+template <class Kernel, class T>
+void add_error(const std::vector<double>& numbers, std::size_t output_count, ErrorByDegree& error) {
   using Lane = zonal::lane_t<T>;
-  std::array<T, Kernel::inputs> input;
-  std::array<long double, Kernel::inputs> exact_input;
-  for (std::size_t i = 0; i < Kernel::inputs; ++i) {
-    input[i] = T(static_cast<Lane>(numbers[i]));
-    exact_input[i] = static_cast<Lane>(numbers[i]);  // the input counts as exact
+  using Entry = typename Kernel::Entry;
+  std::vector<T> input, output(output_count);
+  std::vector<long double> exact_input, exact(output_count);
+  for (const double number : numbers) {
+    input.push_back(T(static_cast<Lane>(number)));
+    exact_input.push_back(static_cast<Lane>(number));  // the input counts as exact
   }
-  const auto result = Kernel::run(input);
+  zonal::kernels::run_plainly<Entry, Kernel::bands>(input.data(), output.data());
+  zonal::kernels::run_plainly<typename ReferenceOf<Entry>::Type, Kernel::bands>(exact_input.data(), exact.data());
   std::vector<double> got;
-  for (const T& x : result) {
+  for (const T& x : output) {
     if constexpr (zonal::is_builtin_scalar_v<T>) {
       got.push_back(double(x));
     } else {
       got.push_back(double(x[0]));
     }
   }
-  error.add(ReferenceOf<Kernel>::Type::run(exact_input), got);
+  error.add(exact, got);
 }
 
 template <class Kernel, class T>
-double greatest_error(int samples) {
-  zonal_bench::Random random(2);
+double greatest_error(const zonal_bench::KernelFacts& facts, std::size_t output_count, int samples) {
+  zonal::kernels::InputSampler sampler(2, Kernel::bands, zonal::kernels::Draw::hard);
   ErrorByDegree error(Kernel::bands);
-  for (int i = 0; i < samples; ++i) {
-    add_error<Kernel, T>(draw_hard<typename Kernel::Domain>(random, i), error);
-  }
+  for (int i = 0; i < samples; ++i) add_error<Kernel, T>(sampler.draw(facts.parameters), output_count, error);
   return error.greatest();
 }
 
@@ -156,11 +136,11 @@ class KernelTable {
   template <class Kernel, class T>
   void add() {
     using Scalar = zonal_bench::Scalar<T>;
-    const auto inputs = std::make_shared<const decltype(zonal_bench::random_inputs<typename Kernel::Domain, T>())>(
-        zonal_bench::random_inputs<typename Kernel::Domain, T>());
-    entries_.push_back({Kernel::name, Scalar::name, Scalar::lanes, inputs->size() * Scalar::lanes, Kernel::bands,
-                        greatest_error<Kernel, T>(choose(effort_, 100, 4000, 40000)),
-                        [inputs] { zonal_bench::run_on_all<Kernel>(*inputs); }});
+    const auto& facts = zonal_bench::find_facts(Kernel::name, Kernel::bands);
+    const auto data = std::make_shared<zonal_bench::KernelData<T>>(zonal_bench::draw_data<T>(facts, Kernel::bands));
+    const double error = greatest_error<Kernel, T>(facts, data->outputs.size(), choose(effort_, 100, 4000, 40000));
+    entries_.push_back({Kernel::name, Scalar::name, Scalar::lanes, data->runs * Scalar::lanes, Kernel::bands, error,
+                        [data] { zonal_bench::run_on_all<typename Kernel::Entry, Kernel::bands>(*data); }});
   }
 
   const char* quantity_;

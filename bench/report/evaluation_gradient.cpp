@@ -3,10 +3,9 @@
 
 void zonal_report::print_gradient(Effort effort) {
   KernelTable table("gradient", effort);
-  zonal_bench::for_bands(zonal_bench::GradientBands{}, [&](auto n) {
-    table.add<zonal_bench::Gradient<n>>();
-    table.add<zonal_bench::PolynomialGradient<n>>();
-    table.add<zonal_bench::SloanLike<n>>();
-  });
+  const auto add = [&](auto kernel) { table.add<decltype(kernel)>(); };
+  zonal_bench::at<zonal_bench::kernels::EvaluateWithGradient>(zonal_bench::GradientBands{}, add);
+  zonal_bench::at<zonal_bench::PolynomialGradient>(zonal_bench::GradientBands{}, add);
+  zonal_bench::at<zonal_bench::SloanLike>(zonal_bench::GradientBands{}, add);
   table.print();
 }

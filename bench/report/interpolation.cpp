@@ -1,15 +1,15 @@
 // The three interpolations over resolutions: 5 bands of 64 sphere lights about a box, on one thread.
 #include <cmath>
 #include <memory>
+#include <random>
 #include <vector>
 
+#include <benchmark/benchmark.h>
 #include <glm/geometric.hpp>
 #include <zonal/grid/add_lights.hpp>
 #include <zonal/grid/interpolate.hpp>
 #include <zonal/light/sphere.hpp>
 
-#include "../kernels.hpp"
-#include "../run_kernel.hpp"
 #include "timing.hpp"
 
 namespace zonal_report {
@@ -23,7 +23,7 @@ const auto one_by_one = [](int count, const auto& body) {
   for (int i = 0; i < count; ++i) body(i);
 };
 
-glm::vec3 random_point(zonal_bench::Random& random) {
+glm::vec3 random_point(std::mt19937& random) {
   std::uniform_real_distribution<float> uniform(-1, 1);
   const float x = uniform(random), y = uniform(random);
   return {x, y, uniform(random)};
@@ -31,7 +31,7 @@ glm::vec3 random_point(zonal_bench::Random& random) {
 
 // Outside the box from -1 to 1, in every direction.
 std::vector<Light> lights_about_the_box() {
-  zonal_bench::Random random(3);
+  std::mt19937 random(3);
   std::vector<Light> lights;
   while (lights.size() < 64) {
     const glm::vec3 center = 2.5F * random_point(random);
@@ -74,7 +74,7 @@ struct Truth {
   std::vector<zonal::ShGradient<N, glm::dvec3>> exact;
 };
 Truth truth(const std::vector<Light>& lights, int count) {
-  zonal_bench::Random random(4);
+  std::mt19937 random(4);
   Truth truth;
   for (int i = 0; i < count; ++i) {
     truth.places.push_back(random_point(random));

@@ -4,9 +4,10 @@
 #include <cmath>
 #include <vector>
 
+#include <benchmark/benchmark.h>
 #include <zonal/light/triangle.hpp>
 
-#include "../run_kernel.hpp"
+#include "../built_bands.hpp"
 #include "../square_light.hpp"
 #include "timing.hpp"
 

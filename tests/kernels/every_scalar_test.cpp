@@ -1,13 +1,15 @@
 // Every kernel of the registry in every scalar, against itself in long double, which the rooms' tests set against
 // definitions. That records are to the bit what C++ computes: ../shader/record_test.cpp, and here for those that are no
 // shader functions. Compiled without fused multiplication and addition, for just that.
-#include <algorithm>
-#include <iterator>
+#include <filesystem>
+#include <fstream>
 #include <set>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "../../bench/rivals.hpp"
 #include "kernel_checks.hpp"
 #include "shader_functions.hpp"
 
@@ -26,17 +28,11 @@ const std::vector<KernelRuns>& all_kernels() {
   return all;
 }
 
-KernelBound bound_of(const char* name) {
-  const auto is_its = [&](const KernelBound& row) { return std::string_view(row.kernel) == name; };
-  REQUIRE(std::count_if(std::begin(kernel_bounds), std::end(kernel_bounds), is_its) == 1);
-  return *std::find_if(std::begin(kernel_bounds), std::end(kernel_bounds), is_its);
-}
-
 Subject subject_of(const KernelRuns& kernel) {
   return {kernel,
           kernel.record != nullptr ? kernel.record(all_orders)
                                    : zonal_glsl::find_function(kernel.name)->record(run_bands, all_orders),
-          bound_of(kernel.name)};
+          accuracy_of(kernel.name, kAnyScalar, run_bands)};
 }
 
 template <class Check>
@@ -75,13 +71,36 @@ TEST_CASE("Every kernel that is no shader function, recorded, to the bit") {
   }
 }
 
-TEST_CASE("No kernel stands twice in the registry, and each has one bound") {
+TEST_CASE("No kernel has two entries, neither in the registry nor among its rivals") {
   std::set<std::string> names;
-  for (const KernelRuns& kernel : all_kernels()) CHECK(names.insert(kernel.name).second);
+  const auto add = [&](const char* name) {
+    INFO(name);
+    CHECK(names.insert(name).second);
+  };
+  for (const KernelRuns& kernel : all_kernels()) add(kernel.name);
   for (const auto& entry : zonal_glsl::shader_functions()) {
-    const bool is_colour = entry.name.find("_colour") != std::string_view::npos;
-    CHECK(names.count(std::string(entry.name)) == (is_colour ? 0 : 1));
+    if (entry.name.find("_colour") == std::string_view::npos) {
+      CHECK(names.count(std::string(entry.name)) == 1);  // it runs above
+    } else {
+      add(entry.name.data());
+    }
   }
-  for (const KernelBound& row : kernel_bounds) CHECK(names.erase(row.kernel) == 1);
-  CHECK(names.empty());
+  zonal::kernels::for_each_kernel(zonal_bench::Rivals{}, [&](auto rival) { add(rival.name); });
+}
+
+// What makes an entry, a list of them, or a kernel of another form with a name.
+TEST_CASE("Outside the registry only the rivals, and a lobe of one's own, are kernels") {
+  const std::string marks[] = {"KernelList<", "class Io>", "const char* name = \""};
+  std::set<std::string> found;
+  for (const char* folder : {"bench", "tests", "tools", "examples"}) {
+    for (const auto& file : std::filesystem::recursive_directory_iterator(std::string(ZONAL_SOURCE) + "/" + folder)) {
+      if (file.path().extension() != ".hpp" && file.path().extension() != ".cpp") continue;
+      std::ostringstream text;
+      text << std::ifstream(file.path()).rdbuf();
+      for (const std::string& mark : marks) {
+        if (text.str().find(mark) != std::string::npos) found.insert(file.path().filename().string());
+      }
+    }
+  }
+  CHECK(found == std::set<std::string>{"every_scalar_test.cpp", "own_kernel.cpp", "own_lobe_test.cpp", "rivals.hpp"});
 }

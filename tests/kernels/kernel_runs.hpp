@@ -11,13 +11,12 @@
 #include <tuple>
 #include <vector>
 
+#include "../accuracy_table.hpp"
+
 using FloatPacket = zonal::Packet<float, 8>;
 using DoublePacket = zonal::Packet<double, 4>;
 using DoubleDual = zonal::Dual<double, 4>;
 using FloatShadow = zonal::Shadow<float, double>;
-
-/// The number of bands of them all: the rooms' own tests go further, with fewer scalars.
-inline constexpr int run_bands = 4;
 
 template <class T>
 using Run = void (*)(const T* inputs, T* outputs);
@@ -43,15 +42,11 @@ void append_scene_runs(std::vector<KernelRuns>& kernels);
 void append_unwritten_runs(std::vector<KernelRuns>& kernels);
 
 template <class Entry, class T>
-void run_plainly(const T* inputs, T* outputs) {
-  zonal::kernels::PlainIo<T> io(inputs, outputs);
-  Entry::template run<run_bands>(io);
-}
+inline constexpr Run<T> run_of = zonal::kernels::run_plainly<Entry, run_bands, T>;
 template <class Entry>
 KernelRuns runs_of(decltype(KernelRuns::record) record = nullptr) {
   return {Entry::name,
-          {run_plainly<Entry, float>, run_plainly<Entry, double>, run_plainly<Entry, long double>,
-           run_plainly<Entry, FloatPacket>, run_plainly<Entry, DoublePacket>, run_plainly<Entry, DoubleDual>,
-           run_plainly<Entry, FloatShadow>},
+          {run_of<Entry, float>, run_of<Entry, double>, run_of<Entry, long double>, run_of<Entry, FloatPacket>,
+           run_of<Entry, DoublePacket>, run_of<Entry, DoubleDual>, run_of<Entry, FloatShadow>},
           record};
 }

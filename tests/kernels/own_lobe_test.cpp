@@ -1,5 +1,6 @@
 // A lobe of one's own, in one file: as an entry of the registry's form it runs in every scalar, has a record, a text in
-// every dialect and an operation count, and is held to a bound, with no edit anywhere else.
+// every dialect, an operation count and a row of the benchmarks, and is held to a bound, which has a row of
+// docs/accuracy.md, with no edit anywhere else.
 #include <zonal/basis/normalisation.hpp>
 #include <zonal/kernels/kernel_io.hpp>
 #include <zonal/scalar/quadrature.hpp>
@@ -11,7 +12,11 @@
 #include <fstream>
 #include <string>
 
+#include "../accuracy_document.hpp"
 #include "kernel_checks.hpp"
+#if defined(ZONAL_HAS_BENCH)
+#include "../../bench/run_kernel.hpp"
+#endif
 
 namespace {
 
@@ -33,7 +38,7 @@ struct Glow : zonal::kernels::Kernel {
   }
 };
 
-constexpr KernelBound glow_bound{Glow::name, 6, Unit::largest_of_run};
+constexpr Accuracy glow_promise = in_any_scalar(Glow::name, 6);
 
 RecordedFunction glow_record() { return zonal::shader::record<Glow, run_bands>(); }
 
@@ -66,7 +71,7 @@ TEST_CASE("A lobe of one's own is the integral that it should be") {
   const zonal::QuadratureRule rule = zonal::gauss_legendre(16);
   for (const double power : {0.0, 1.0, 2.0, 4.0, 9.0, 20.0}) {
     double z[run_bands];
-    run_plainly<Glow>(&power, z);
+    zonal::kernels::run_plainly<Glow, run_bands>(&power, z);
     for (int l = 0; l < run_bands; ++l) {
       double sum = 0;
       for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
@@ -83,7 +88,7 @@ TEST_CASE("A lobe of one's own is the integral that it should be") {
 
 TEST_CASE("A lobe of one's own in every scalar, within its bound, recorded to the bit") {
   const KernelRuns runs = runs_of<Glow>();
-  const Subject subject(runs, glow_record(), glow_bound);
+  const Subject subject(runs, glow_record(), glow_promise);
   check_builtin<float>(subject);
   check_builtin<double>(subject);
   check_packet<float, 8>(subject);
@@ -100,6 +105,40 @@ TEST_CASE("A lobe of one's own has an operation count") {
   CHECK(count.multiplications == 1 + 2 * (run_bands - 1));
   CHECK(count.additions == 1 + 2 * (run_bands - 1) - 1);
 }
+
+TEST_CASE("A lobe of one's own has a row of docs/accuracy.md") {
+  const Accuracy promises[] = {glow_promise};
+  CHECK(accuracy_rows<Glow>(promises) == "| `glow` | Zonal coefficients of ((1 + cos theta) / 2)^power. | " +
+                                             std::string(kAnyScalar) + " | 4 | " + std::string(kRendering) +
+                                             " | 6 | ulp of its largest output |\n");
+}
+
+#if defined(ZONAL_HAS_BENCH)
+TEST_CASE("A lobe of one's own has rows of the benchmarks") {
+  struct Rows : benchmark::ConsoleReporter {
+    Rows() : ConsoleReporter(OO_None) {}
+    void ReportRuns(const std::vector<Run>& reported) override {
+      benchmark::ConsoleReporter::ReportRuns(reported);
+      runs.insert(runs.end(), reported.begin(), reported.end());
+    }
+    std::vector<Run> runs;
+  };
+  const zonal_bench::Effort least{1e-6, 1};
+  zonal_bench::register_kernel<Glow, run_bands, float>(zonal_bench::facts_of<Glow, run_bands>, least);
+  zonal_bench::register_kernel<Glow, run_bands, FloatPacket>(zonal_bench::facts_of<Glow, run_bands>, least);
+  Rows rows;
+  benchmark::RunSpecifiedBenchmarks(&rows);
+  REQUIRE(rows.runs.size() == 2);
+  CHECK(rows.runs[0].run_name.function_name == "glow/4/float");
+  CHECK(rows.runs[1].run_name.function_name == "glow/4/packet");
+  for (const auto& run : rows.runs) {
+    CHECK(double(run.counters.at(zonal_bench::time_counter)) > 0);
+    CHECK(double(run.counters.at("div")) == run_bands);
+  }
+}
+#else
+TEST_CASE("A lobe of one's own has rows of the benchmarks") { WARN("skipped: for want of Google Benchmark"); }
+#endif
 
 TEST_CASE("A lobe of one's own is a function of every dialect") {
   for (const auto& dialect : zonal::shader::dialects) {

@@ -13,5 +13,5 @@ all="$(operations evaluate_5)"
 [ "$(operations evaluate_5_even)" -lt "$all" ] || fail "half of the coefficients takes no less than all"
 [ "$(operations evaluate_5_degree2)" -lt "$(operations evaluate_5_even)" ] || fail "a degree takes no less than half"
 [ "$(operations reconstruct_lambert_5)" -lt "$(operations reconstruct_5)" ] || fail "Lambert's zeros save nothing"
-# HVL Eq. 14 by recurrence takes 25: the row cap-legendre of docs/benchmarks.md.
+# HVL Eq. 14 by recurrence takes 25: the row cap_legendre of docs/benchmarks.md.
 [ "$(operations cap_up_to_hemisphere_5)" -le 25 ] || fail "the cap takes more than HVL Eq. 14"

@@ -31,9 +31,12 @@ struct HorizonOf : Kernel {
 
 template <int NE, Horizon method = Horizon::smoothstep>
 struct HvlRadiance : Kernel {
-  static constexpr const char* name = method == Horizon::exact ? "hvl_radiance_exact"
-                                      : NE == 1                ? "hvl_radiance_diffuse"
-                                                               : "hvl_radiance";
+  static constexpr const char* name = method == Horizon::exact  ? "hvl_radiance_exact"
+                                      : method == Horizon::none ? "hvl_radiance_no_horizon"
+                                      : NE == 1                 ? "hvl_radiance_diffuse"
+                                                                : "hvl_radiance";
+  static constexpr int emission_bands = NE;
+  static constexpr Horizon horizon = method;
   static constexpr const char* summary =
       NE == 1 ? "The outgoing radiance that a diffuse virtual light causes: one band of emission."
               : "The outgoing radiance that a virtual light causes: three bands of emission.";

@@ -252,8 +252,18 @@ class DescribingIo {
 /// What most entries share.
 struct Kernel {
   static constexpr bool has_bands = true;              // whether the number of bands matters
+  static constexpr bool is_coloured = false;           // whether it runs a channel at a time
   static constexpr int order_count(int) { return 0; }  // the length of the loop over orders it takes part in
 };
+
+template <class... Entries>
+struct KernelList {};
+
+/// visit(Entry{}) for each entry of the list, in its order.
+template <class Visit, class... Entries>
+void for_each_kernel(KernelList<Entries...>, Visit&& visit) {
+  (visit(Entries{}), ...);
+}
 
 }  // namespace kernels
 }  // namespace ZONAL_TARGET

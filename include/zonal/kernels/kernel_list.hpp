@@ -20,9 +20,6 @@ namespace zonal {
 inline namespace ZONAL_TARGET {
 namespace kernels {
 
-template <class... Entries>
-struct KernelList {};
-
 using BasisKernels =
     KernelList<Evaluate, EvaluateEven, EvaluateZonal, EvaluateWithGradient,                 // basis
                Cap, HemisphereCap, SphereCap, CapDerivative, Lambert, Phong, Gaussian,      // lobes
@@ -44,13 +41,8 @@ using SceneKernels = KernelList<Sphere, SphereWithGradient,                     
                                 HvlRadiance<1>, HvlRadiance<3>>;
 // They are no shader functions: of fixed lights, and for tests.
 using UnwrittenKernels =
-    KernelList<Arcs, SpotWithGradient, TriangleSphereWithGradient, PolygonWithGradient, HvlRadiance<3, Horizon::exact>>;
-
-/// visit(Entry{}) for each entry of the table, in its order.
-template <class Visit, class... Entries>
-void for_each_kernel(KernelList<Entries...>, Visit&& visit) {
-  (visit(Entries{}), ...);
-}
+    KernelList<Arcs, SpotWithGradient, TriangleSphereWithGradient, PolygonWithGradient, HvlRadiance<3, Horizon::exact>,
+               HvlRadiance<3, Horizon::none>>;
 
 }  // namespace kernels
 }  // namespace ZONAL_TARGET

@@ -106,6 +106,13 @@ class PlainIo {
   int channel_ = 0;
 };
 
+/// Runs an entry with N bands: its inputs from one array, its outputs into another.
+template <class Entry, int N, class T>
+void run_plainly(const T* inputs, T* outputs) {
+  PlainIo<T, Entry::is_coloured> io(inputs, outputs);
+  Entry::template run<N>(io);
+}
+
 }  // namespace kernels
 }  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -13,9 +13,10 @@ namespace zonal {
 inline namespace ZONAL_TARGET {
 namespace kernels {
 
-/// Which inputs: such as a renderer has, away from poles of functions, for times and errors; or of every size and at
+/// Which inputs: such as a renderer has, away from poles of functions, for times; the same, but half of the directions
+/// at 1e-1 to 1e-7 from an end of the z axis and half of the angles 1e-1 to 1e-4, for errors; or of every size and at
 /// the ends of their domains, where nothing but the same operations give the same numbers.
-enum class Draw { ordinary, extreme };
+enum class Draw { ordinary, hard, extreme };
 
 /// Random inputs of a kernel of so many bands, in double; the same for the same seed.
 class InputSampler {
@@ -36,6 +37,8 @@ class InputSampler {
   double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
   double sign() { return uniform(0, 1) < 0.5 ? -1 : 1; }
   bool is_extreme() const { return draw_ == Draw::extreme; }
+  /// Every second time, of hard inputs.
+  bool is_hard() { return draw_ == Draw::hard && uniform(0, 1) < 0.5; }
   bool sometimes() { return is_extreme() && uniform(0, 1) < 0.1; }
   /// Ten to the power of -exponent to exponent.
   double any_size(double exponent) { return std::pow(10, uniform(-exponent, exponent)); }
@@ -65,6 +68,7 @@ class InputSampler {
   }
 
   double any_angle(double greatest) {
+    if (is_hard()) return std::pow(10, uniform(-4, -1));
     if (!is_extreme()) return uniform(1e-3, 0.98 * greatest);
     double angle = sometimes() ? any_size(7) * 1e-7 : uniform(0, greatest);
     if (sometimes()) angle = greatest - std::fmin(angle, greatest);
@@ -90,6 +94,10 @@ class InputSampler {
     if (sometimes()) {
       v[static_cast<std::size_t>(uniform(0, 3))] = sign();
       return v;
+    }
+    if (is_hard()) {
+      const double angle = std::pow(10, uniform(-7, -1)), phi = uniform(0, 2 * double(kPi));
+      return {std::sin(angle) * std::cos(phi), std::sin(angle) * std::sin(phi), sign() * std::cos(angle)};
     }
     std::normal_distribution<double> normal;
     const double width = is_extreme() && uniform(0, 1) < 0.25 ? any_size(4) * 1e-4 : 1;

@@ -218,6 +218,7 @@ constexpr std::array<char, Size + 1> join_texts(std::string_view a, std::string_
 /// A function of colours, made of that of numbers: its coefficients and results are triples.
 template <class Entry, Colours colours = Colours::first>
 struct OfColours : Kernel {
+  static constexpr bool is_coloured = true;
   template <int N, class Io>
   static void run(Io& io) {
     for (int channel = 0; channel < 3; ++channel) {

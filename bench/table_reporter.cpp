@@ -42,6 +42,8 @@ class TableReporter : public benchmark::BenchmarkReporter {
     out << "\n";
     print_gradient_figure_15(out);
     out << "\n";
+    print_batches(out, results_);
+    out << "\n";
     print_registry(out, results_);
     out.flush();
   }

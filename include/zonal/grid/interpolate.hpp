@@ -20,7 +20,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "../scalar/float_lanes.hpp"
+#include "../scalar/lanes.hpp"
 #include "../scalar/unroll.hpp"
 #include "../scalar/vector3.hpp"
 #include "coefficient_grid.hpp"
@@ -85,7 +85,7 @@ ZONAL_INLINE inline void weighted_sums(const float* const (&corners)[8],
                                        float (&sums)[std::size_t{Outputs}][std::size_t{Count}]) {
   constexpr int lanes = lanes_for(Count), vectors = (Count + lanes - 1) / lanes;
   constexpr int together = Outputs == 1 ? 6 : 2;  // so that all sums stay in registers
-  using Floats = FloatLanes<lanes>;
+  using Floats = Lanes<float, lanes>;
   unroll<0, (vectors + together - 1) / together>([&](auto group) ZONAL_INLINE {
     constexpr int first = group * together, size = vectors - first < together ? vectors - first : together;
     constexpr auto begin = [](int i) {
@@ -93,12 +93,12 @@ ZONAL_INLINE inline void weighted_sums(const float* const (&corners)[8],
     };
     Floats partial[static_cast<std::size_t>(Outputs)][static_cast<std::size_t>(size)];
     for (auto& output : partial) {
-      for (Floats& sum : output) sum = Floats::filled(0);
+      for (Floats& sum : output) sum = Floats(0);
     }
     for (int c = 0; c < 8; ++c) {
       unroll<0, blocks_read(method)>([&](auto block) ZONAL_INLINE {
         Floats weight[static_cast<std::size_t>(Outputs)];
-        for (int o = 0; o < Outputs; ++o) weight[o] = Floats::filled(weights[o].corner[c][block]);
+        for (int o = 0; o < Outputs; ++o) weight[o] = Floats(weights[o].corner[c][block]);
         unroll<0, size>([&](auto i) ZONAL_INLINE {
           const Floats data = Floats::load(corners[c] + block * Count + begin(i));
           for (int o = 0; o < Outputs; ++o) partial[o][i].add_product(weight[o], data);

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "float_lanes.hpp"
+#include "lanes.hpp"
 #include "scalar.hpp"
 #include "unroll.hpp"
 

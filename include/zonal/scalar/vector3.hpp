@@ -27,6 +27,16 @@ ZONAL_INLINE constexpr Direction3<T> as_direction(const V& v) {
   return as_direction<T>(v, 0);
 }
 
+// Where these numbers stand.
+template <class V>
+constexpr auto component_addresses(const V& v, int) -> decltype(Direction3<decltype(&v[0])>{}) {
+  return {&v[0], &v[1], &v[2]};
+}
+template <class V>
+constexpr auto component_addresses(const V& v, long) -> decltype(Direction3<decltype(&v.x)>{}) {
+  return {&v.x, &v.y, &v.z};
+}
+
 template <class T>
 ZONAL_INLINE constexpr T dot3(const T (&a)[3], const T (&b)[3]) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

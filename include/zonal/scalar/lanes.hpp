@@ -1,0 +1,141 @@
+// Numbers side by side in the compiler's own vectors: no Eigen, and next to nothing to compile. They are a scalar for
+// kernels that add, subtract and multiply only, as the basis does; one with all that a scalar can do is the Packet
+// (packet.hpp).
+#pragma once
+
+#include <cstddef>
+#include <utility>
+
+#include "scalar.hpp"
+
+namespace zonal {
+inline namespace ZONAL_TARGET {
+
+/// Floats in one register of the target this file is compiled for: 16 with AVX-512, 8 with AVX, else 4.
+#if defined(__AVX512F__)
+inline constexpr int kNativeLanes = 16;
+#elif defined(__AVX__)
+inline constexpr int kNativeLanes = 8;
+#else
+inline constexpr int kNativeLanes = 4;
+#endif
+
+/// The same for any built-in type: half as many doubles.
+template <class T>
+inline constexpr int native_lanes_v = static_cast<int>(kNativeLanes * sizeof(float) / sizeof(T));
+
+/// `count` numbers of a built-in type T: a power of 2, up to what one register holds.
+template <class T, int count>
+class Lanes {
+  static_assert(is_builtin_scalar_v<T> && count >= 1 && (count & (count - 1)) == 0, "2, 4, 8 ... built-in scalars");
+  static constexpr auto bytes = static_cast<std::size_t>(count) * sizeof(T);
+#if defined(__GNUC__)
+  typedef T Vector __attribute__((vector_size(bytes)));
+  // Where any numbers stand. (A memcpy to and from it costs GCC registers.)
+  typedef T InMemory __attribute__((vector_size(bytes), aligned(alignof(T)), may_alias));
+#else
+  struct Vector {
+    T numbers[count];
+  };
+  using InMemory = Vector;
+#endif
+
+ public:
+  static constexpr int width = count;
+
+  Lanes() = default;
+  template <class C, class = std::enable_if_t<std::is_arithmetic_v<C>>>
+  ZONAL_INLINE explicit Lanes(C constant) {
+#if defined(__GNUC__)
+    values_ = static_cast<T>(constant) - Vector{};
+#else
+    for (T& number : values_.numbers) number = static_cast<T>(constant);
+#endif
+  }
+  /// `source` and `target` may have any alignment.
+  ZONAL_INLINE static Lanes load(const T* source) {
+    Lanes x;
+    x.values_ = *reinterpret_cast<const InMemory*>(source);
+    return x;
+  }
+  ZONAL_INLINE void store(T* target) const { *reinterpret_cast<InMemory*>(target) = values_; }
+#if defined(__GNUC__)
+  /// The same bits as one of the compiler's own vector types, and back.
+  template <class V>
+  ZONAL_INLINE V as() const {
+    return reinterpret_cast<V>(values_);
+  }
+  template <class V>
+  ZONAL_INLINE static Lanes from(V vector) {
+    return Lanes(reinterpret_cast<Vector>(vector));
+  }
+#endif
+
+  /// *this += a * b, in one rounding where the target has such an operation.
+  ZONAL_INLINE void add_product(const Lanes& a, const Lanes& b) { *this = *this + a * b; }
+
+#if defined(__GNUC__)
+  ZONAL_INLINE friend Lanes operator-(const Lanes& a) { return Lanes(-a.values_); }
+  ZONAL_INLINE friend Lanes operator+(const Lanes& a, const Lanes& b) { return Lanes(a.values_ + b.values_); }
+  ZONAL_INLINE friend Lanes operator-(const Lanes& a, const Lanes& b) { return Lanes(a.values_ - b.values_); }
+  ZONAL_INLINE friend Lanes operator*(const Lanes& a, const Lanes& b) { return Lanes(a.values_ * b.values_); }
+#else
+  friend Lanes operator-(const Lanes& a) {
+    return map(a, a, [](T x, T) { return -x; });
+  }
+  friend Lanes operator+(const Lanes& a, const Lanes& b) {
+    return map(a, b, [](T x, T y) { return x + y; });
+  }
+  friend Lanes operator-(const Lanes& a, const Lanes& b) {
+    return map(a, b, [](T x, T y) { return x - y; });
+  }
+  friend Lanes operator*(const Lanes& a, const Lanes& b) {
+    return map(a, b, [](T x, T y) { return x * y; });
+  }
+#endif
+
+  /// Lane i is number at(i) of a's lanes followed by b's: At::at is constexpr.
+  template <class At>
+  ZONAL_INLINE static Lanes shuffle(const Lanes& a, const Lanes& b) {
+    return shuffle<At>(a, b, std::make_integer_sequence<int, count>{});
+  }
+
+ private:
+#if defined(__GNUC__)
+  ZONAL_INLINE explicit Lanes(const Vector& values) : values_(values) {}
+
+  template <class At, int... i>
+  ZONAL_INLINE static Lanes shuffle(const Lanes& a, const Lanes& b, std::integer_sequence<int, i...>) {
+#if defined(__clang__)
+    return Lanes(Vector(__builtin_shufflevector(a.values_, b.values_, At::at(i)...)));
+#else
+    using Number = std::conditional_t<sizeof(T) == sizeof(int), int, long long>;
+    typedef Number Numbers __attribute__((vector_size(bytes)));
+    return Lanes(__builtin_shuffle(a.values_, b.values_, Numbers{Number(At::at(i))...}));
+#endif
+  }
+#else
+  template <class F>
+  static Lanes map(const Lanes& a, const Lanes& b, F f) {
+    Lanes r;
+    for (int i = 0; i < count; ++i) r.values_.numbers[i] = f(a.values_.numbers[i], b.values_.numbers[i]);
+    return r;
+  }
+  template <class At, int... i>
+  static Lanes shuffle(const Lanes& a, const Lanes& b, std::integer_sequence<int, i...>) {
+    Lanes r;
+    ((r.values_.numbers[i] = At::at(i) < count ? a.values_.numbers[At::at(i)] : b.values_.numbers[At::at(i) - count]),
+     ...);
+    return r;
+  }
+#endif
+  Vector values_;
+};
+
+template <class T, int count>
+struct ScalarTraits<Lanes<T, count>> {
+  using Lane = T;
+};
+
+}  // namespace ZONAL_TARGET
+}  // namespace zonal

@@ -3,19 +3,20 @@
 #include <cmath>
 
 #include <glm/glm.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <zonal/scalar/vector3.hpp>
 
 namespace example {
 
-/// Right-handed orthonormal frame about a unit normal, its z axis (Duff et al. 2017, "Building an Orthonormal
-/// Basis, Revisited").
+/// Right-handed orthonormal frame about a unit normal, its z axis.
 class Frame {
  public:
   explicit Frame(const glm::vec3& normal) : normal_(normal) {
-    const float sign = std::copysign(1.0f, normal.z);
-    const float a = -1.0f / (sign + normal.z);
-    const float b = normal.x * normal.y * a;
-    tangent_ = glm::vec3(1.0f + sign * normal.x * normal.x * a, sign * b, -sign * normal.x);
-    bitangent_ = glm::vec3(b, sign + normal.y * normal.y * a, -normal.y);
+    const float z[3] = {normal.x, normal.y, normal.z};
+    float x[3], y[3];
+    zonal::complete_frame(z, x, y);
+    tangent_ = glm::make_vec3(x);
+    bitangent_ = glm::make_vec3(y);
   }
 
   /// With its x axis along the part of `tangent` that is normal to the normal; as above where there is none.

@@ -9,10 +9,10 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <string>
 
 #include "../accuracy_document.hpp"
+#include "../files.hpp"
 #include "kernel_checks.hpp"
 #if defined(ZONAL_HAS_BENCH)
 #include "../../bench/run_kernel.hpp"
@@ -53,13 +53,14 @@ void require_compiles(const char* dialect, const std::string& program, const std
     WARN("no " << program);
     return;
   }
-  const std::string path = std::string("own_lobe_") + dialect + ".txt";
+  const file_test::Folder folder;
+  const std::string path = std::string(dialect) + ".txt", inside = "cd '" + folder.path.string() + "' && ";
   std::vector<RecordedFunction> functions;
   functions.push_back(glow_record());
   const std::string text = zonal::shader::file_text(functions, {}, *zonal::shader::find_dialect(dialect), "", {});
   for (const bool is_broken : {false, true}) {  // lest the compiler takes all
-    std::ofstream(path) << before << text << (is_broken ? "nonsense(" : "") << after;
-    const int status = std::system((program + " " + options + " " + path + " >own_lobe.log 2>&1").c_str());
+    file_test::write(folder.path / path, before + text + (is_broken ? "nonsense(" : "") + after);
+    const int status = std::system((inside + program + " " + options + " " + path + " >log 2>&1").c_str());
     INFO(dialect << ": " << program << " " << options << " " << path);
     CHECK((status == 0) == !is_broken);
   }

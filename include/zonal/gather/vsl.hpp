@@ -72,16 +72,6 @@ void draw_vsl_samples(const Receiver& receiver, const Brdf& brdf, int samples, U
   }
 }
 
-/// Two unit vectors that complete a unit vector to a frame (Duff et al., Building an Orthonormal Basis, Revisited).
-template <class T>
-ZONAL_INLINE inline void complete_frame(const T (&axis)[3], T (&x)[3], T (&y)[3]) {
-  const T sign = select(axis[2] < T(0), T(-1), T(1));
-  const T a = T(-1) / (sign + axis[2]), b = axis[0] * axis[1] * a;
-  const T first[3] = {T(1) + sign * axis[0] * axis[0] * a, sign * b, -(sign * axis[0])};
-  const T second[3] = {b, sign + axis[1] * axis[1] * a, -axis[1]};
-  for (int i = 0; i < 3; ++i) x[i] = first[i], y[i] = second[i];
-}
-
 /// Any lane set?
 template <class T>
 ZONAL_INLINE inline bool any(const mask_t<T>& mask) {
@@ -153,7 +143,7 @@ ZONAL_INLINE inline void vsl_radiance(const LightRecord<T>& light, const Brdf& g
   }
 
   T x[3], y[3];
-  detail::complete_frame(to_light.direction, x, y);
+  complete_frame(to_light.direction, x, y);
   const glm::vec<3, T> local_outgoing(outgoing);
   for (int k = 0; k < samples.cap_count; ++k) {
     const auto& sample = samples.in_cap[k];

@@ -2,12 +2,11 @@
 //
 // [1] E. Lafortune, Y. Willems, "Using the Modified Phong Reflectance Model for Physically Based Rendering",
 //     report CW 197, KU Leuven, 1994.
-// [2] J. R. Frisvad, "Building an Orthonormal Basis from a 3D Unit Vector Without Normalization", Journal of
-//     Graphics Tools 16(3), 2012.
 #pragma once
 
 #include <cmath>
 
+#include "../scalar/vector3.hpp"
 #include "model.hpp"
 
 namespace zonal {
@@ -34,15 +33,6 @@ T phong_lobe(const glm::vec<3, T>& wi, const glm::vec<3, T>& wo, T exponent) {
   return one_minus_cos < T(1) ? std::exp(exponent * std::log1p(-one_minus_cos)) : T(0);
 }
 
-/// v, given in a frame whose z axis is `axis`, in the frame of `axis` [2]. axis.z >= 0 keeps clear of the
-/// pole.
-inline glm::vec3 rotate_z_to(const glm::vec3& axis, const glm::vec3& v) {
-  const float a = 1.0F / (1.0F + axis.z), b = -axis.x * axis.y * a;
-  const glm::vec3 x_axis(1.0F - axis.x * axis.x * a, b, -axis.x);
-  const glm::vec3 y_axis(b, 1.0F - axis.y * axis.y * a, -axis.y);
-  return v.x * x_axis + v.y * y_axis + v.z * axis;
-}
-
 }  // namespace detail
 
 template <class T>
@@ -64,8 +54,11 @@ inline float approximate_albedo(const PhongBrdf& brdf, const glm::vec3&) { retur
 inline glm::vec3 sample_lobe(const PhongBrdf& brdf, const glm::vec3& wo, const glm::vec2& u) {
   const float one_minus_cos = -std::expm1(std::log(u.x) / (brdf.exponent + 1.0F));
   const float sine = std::sqrt(one_minus_cos * (2.0F - one_minus_cos)), phi = 2.0F * float(kPi) * u.y;
-  const glm::vec3 mirror(-wo.x, -wo.y, wo.z);
-  return detail::rotate_z_to(mirror, {sine * std::cos(phi), sine * std::sin(phi), 1.0F - one_minus_cos});
+  const float mirror[3] = {-wo.x, -wo.y, wo.z};
+  float x[3], y[3];
+  complete_frame(mirror, x, y);
+  const auto along = [&](const float(&axis)[3]) { return glm::vec3(axis[0], axis[1], axis[2]); };
+  return sine * std::cos(phi) * along(x) + sine * std::sin(phi) * along(y) + (1.0F - one_minus_cos) * along(mirror);
 }
 
 template <class T>

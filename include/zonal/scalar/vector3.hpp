@@ -1,5 +1,7 @@
 // Three numbers of any scalar as a vector: what kernels need of it. (GLM's vectors do not hold every scalar.) And what
 // callers have for a direction, as three numbers.
+//
+// [1] T. Duff et al., "Building an Orthonormal Basis, Revisited", Journal of Computer Graphics Techniques 6(1), 2017.
 #pragma once
 
 #include "scalar.hpp"
@@ -48,5 +50,16 @@ ZONAL_INLINE constexpr void cross3(const T (&a)[3], const T (&b)[3], T (&result)
 }
 
 }  // namespace detail
+
+/// Two unit vectors that complete the unit vector z to a right-handed orthonormal frame, for any z [1]; it turns where
+/// z passes through the plane z[2] = 0. Greatest error 3 ulp of 1 in any product of two of them.
+template <class T>
+ZONAL_INLINE constexpr void complete_frame(const T (&z)[3], T (&x)[3], T (&y)[3]) {
+  const T sign = select(z[2] < T(0), T(-1), T(1));
+  const T a = T(-1) / (sign + z[2]), b = z[0] * z[1] * a;
+  x[0] = T(1) + sign * z[0] * z[0] * a, x[1] = sign * b, x[2] = -(sign * z[0]);
+  y[0] = b, y[1] = sign + z[1] * z[1] * a, y[2] = -z[1];
+}
+
 }  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -23,23 +23,6 @@ struct Squares {
   double errors[windows.size()][std::size_t{most_bands}] = {}, function = 0;
 };
 
-// The nodes of project_brdf (material/projection.hpp), which crowd at the mirror direction: visit(wi, solid angle).
-template <class Visit>
-void for_each_node(double theta_o, const zonal::QuadratureRule& rule, const Visit& visit) {
-  for (const double end : {0.0, 0.5 * double(zonal::kPi)}) {
-    const double width = end - theta_o;
-    for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
-      const double s = 0.5 * (1 + rule.nodes[i]), theta = theta_o + width * s * s;
-      const double ring = std::abs(width) * s * rule.weights[i] * std::sin(theta);
-      for (std::size_t j = 0; j < rule.nodes.size(); ++j) {
-        const double t = 0.5 * (1 + rule.nodes[j]), phi = double(zonal::kPi) * (1 - t * t);
-        visit(glm::dvec3(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)),
-              ring * 2 * double(zonal::kPi) * t * rule.weights[j]);
-      }
-    }
-  }
-}
-
 using Coefficients = zonal::EvenSh<most_bands, glm::dvec3>;
 
 // Adds one node: `exact` is the function there, `scale` what both sides are multiplied by.
@@ -72,7 +55,7 @@ void add_angle(const zonal::Brdf& brdf, double degrees, const zonal::ProjectionQ
   const auto f = [&](const glm::dvec3& wi, const glm::dvec3& eye) { return zonal::evaluate(brdf, wi, eye); };
   const auto projection = zonal::project_brdf<most_bands>(f, wo.z, 1e-4, quadrature);
   Squares receiver, emitter;
-  for_each_node(theta_o, quadrature.rule(level), [&](const glm::dvec3& wi, double solid_angle) {
+  zonal::for_each_mirror_node(theta_o, quadrature.rule(level), [&](const glm::dvec3& wi, double solid_angle) {
     const auto basis = zonal::evaluate_even<most_bands>(wi.x, wi.z);
     const glm::dvec3 exact = f(wi, wo);
     add_node(projection.with_cosine, basis, exact * wi.z, 1, solid_angle, receiver);

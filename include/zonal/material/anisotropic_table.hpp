@@ -82,14 +82,10 @@ AnisotropicProjection<N> project_anisotropic_once(const F& brdf, double cos_outg
 template <int N, class F>
 AnisotropicProjection<N> project_anisotropic_brdf(const F& brdf, double cos_outgoing, double azimuth, double tolerance,
                                                   const ProjectionQuadrature& quadrature) {
-  auto coarse = detail::project_anisotropic_once<N>(brdf, cos_outgoing, azimuth, quadrature.rule(0));
-  for (int level = 1;; ++level) {
-    auto fine = detail::project_anisotropic_once<N>(brdf, cos_outgoing, azimuth, quadrature.rule(level));
-    fine.error = (std::max)(detail::relative_movement(coarse.with_cosine, fine.with_cosine),
-                            detail::relative_movement(coarse.without_cosine, fine.without_cosine));
-    if (fine.error <= tolerance || level + 1 == ProjectionQuadrature::levels) return fine;
-    coarse = fine;
-  }
+  const auto at_level = [&](int level) {
+    return detail::project_anisotropic_once<N>(brdf, cos_outgoing, azimuth, quadrature.rule(level));
+  };
+  return detail::refine_projection(ProjectionQuadrature::levels, tolerance, at_level);
 }
 
 namespace detail {
@@ -116,9 +112,7 @@ AnisotropicProjection<N> project_anisotropic_nodes(const MeasuredBrdf& brdf, dou
     return AnisotropicProjection<N>{join(even.with_cosine, odd.with_cosine),
                                     join(even.without_cosine, odd.without_cosine), 0.0};
   };
-  auto [result, error] = refine_nodes(tolerance, at_level, ProjectionMovement{});
-  result.error = error;
-  return result;
+  return refine_projection(brdf_node_levels, tolerance, at_level);
 }
 
 }  // namespace detail

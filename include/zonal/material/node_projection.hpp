@@ -108,28 +108,6 @@ class NodeSums {
   std::vector<double> sums_;  // RGB
 };
 
-/// at_level(0), at_level(1), ...: until the movement(coarse, fine) between two is within the tolerance, or no level is
-/// left. Returns the finer of the two, and the movement.
-template <class AtLevel, class Movement>
-auto refine_nodes(double tolerance, const AtLevel& at_level, const Movement& movement) {
-  auto coarse = at_level(0);
-  for (int level = 1;; ++level) {
-    auto fine = at_level(level);
-    const double error = movement(coarse, fine);
-    if (error <= tolerance || level == brdf_node_levels - 1) return std::pair(std::move(fine), error);
-    coarse = std::move(fine);
-  }
-}
-
-/// The greatest movement of both kinds of coefficients.
-struct ProjectionMovement {
-  template <class Projection>
-  double operator()(const Projection& coarse, const Projection& fine) const {
-    return (std::max)(relative_movement(coarse.with_cosine, fine.with_cosine),
-                      relative_movement(coarse.without_cosine, fine.without_cosine));
-  }
-};
-
 /// What project_brdf returns, by a quadrature of the BRDF's own: refined until no coefficient moves by more than
 /// tolerance times the largest.
 template <int N>
@@ -142,9 +120,7 @@ BrdfProjection<N> project_nodes(const BrdfNodes& nodes, double cos_outgoing, dou
     result.theta_nodes = level + 1;
     return result;
   };
-  auto [result, error] = refine_nodes(tolerance, at_level, ProjectionMovement{});
-  result.error = error;
-  return result;
+  return refine_projection(brdf_node_levels, tolerance, at_level);
 }
 
 }  // namespace detail

@@ -27,7 +27,7 @@
 
 #include "../basis/evaluate.hpp"
 #include "../basis/sh.hpp"
-#include "../scalar/quadrature.hpp"
+#include "mirror_nodes.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
@@ -41,22 +41,6 @@ struct BrdfProjection {
   EvenSh<N, glm::dvec3> with_cosine{}, without_cosine{};
   double error = 0.0;
   int theta_nodes = 0;
-};
-
-/// The Gauss-Legendre rules of 32, 64, ..., 512 nodes that project_brdf refines through. Build it once (a few
-/// milliseconds) and share it, also between threads, when projecting many directions.
-class ProjectionQuadrature {
- public:
-  static constexpr int first_size = 32;
-  static constexpr int levels = 5;
-
-  ProjectionQuadrature() {
-    for (int level = 0; level < levels; ++level) rules_[level] = gauss_legendre(first_size << level);
-  }
-  const QuadratureRule& rule(int level) const { return rules_[level]; }
-
- private:
-  QuadratureRule rules_[levels];
 };
 
 namespace detail {
@@ -94,18 +78,13 @@ BrdfProjection<N> sum(const BrdfProjection<N>& a, const BrdfProjection<N>& b) {
 enum class Parity { even, odd };
 
 /// Adds to `moments` the integrals of f cos(m phi), m < N, over the full circle of wi at the angle theta from
-/// the normal; of f sin(m phi) where f is odd. phi runs over half of it, from the mirror direction's pi to 0, and
-/// counts twice.
+/// the normal; of f sin(m phi) where f is odd.
 template <int N, Parity parity, class F>
 void add_azimuthal_moments(const F& brdf, const glm::dvec3& wo, double cos_theta, double sin_theta,
                            const QuadratureRule& rule, glm::dvec3 (&moments)[std::size_t(N)]) {
-  for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
-    const double s = 0.5 * (1.0 + rule.nodes[i]);
-    const double from_mirror = double(kPi) * s * s;
-    const double cos_phi = -std::cos(from_mirror);
-    const double sin_phi = std::sin(from_mirror);
+  for_each_azimuth(rule, [&](double cos_phi, double sin_phi, double weight) {
     const glm::dvec3 wi(sin_theta * cos_phi, sin_theta * sin_phi, cos_theta);
-    const glm::dvec3 weighted = brdf(wi, wo) * (2.0 * double(kPi) * s * rule.weights[i]);
+    const glm::dvec3 weighted = brdf(wi, wo) * weight;
     double previous = parity == Parity::even ? cos_phi : -sin_phi;  // cos((m - 1) phi), or the sine
     double c = parity == Parity::even ? 1.0 : 0.0;                  // cos(m phi), or the sine
     for (int m = 0; m < N; ++m) {
@@ -114,7 +93,7 @@ void add_azimuthal_moments(const F& brdf, const glm::dvec3& wo, double cos_theta
       previous = c;
       c = next;
     }
-  }
+  });
 }
 
 /// Adds to both integrals a ring of directions at one theta, whose moments in phi are known. Y_l^m is its value at
@@ -132,31 +111,35 @@ void add_ring(const glm::dvec3 (&moments)[std::size_t(N)], double cos_theta, dou
   }
 }
 
-/// Adds to both integrals the rings of theta between `mirror`, where the nodes crowd, and `end`.
-template <int N, Parity parity, class F>
-void add_theta_interval(const F& brdf, const glm::dvec3& wo, double mirror, double end, const QuadratureRule& rule,
-                        BrdfProjection<N>& result) {
-  const double width = end - mirror;
-  if (detail::is_equal(width, 0.0)) return;
-  for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
-    const double s = 0.5 * (1.0 + rule.nodes[i]);
-    const double theta = mirror + width * s * s;
-    const double cos_theta = std::cos(theta), sin_theta = std::sin(theta);
-    glm::dvec3 moments[std::size_t(N)] = {};
-    add_azimuthal_moments<N, parity>(brdf, wo, cos_theta, sin_theta, rule, moments);
-    add_ring<N>(moments, cos_theta, sin_theta, std::abs(width) * s * rule.weights[i] * sin_theta, result);
-  }
-}
-
 /// Where f is odd, (l, m) of the result is the coefficient of (l, -m).
 template <int N, Parity parity = Parity::even, class F>
 BrdfProjection<N> project_brdf_once(const F& brdf, double cos_outgoing, const QuadratureRule& rule) {
   const double theta_o = std::acos(cos_outgoing);
   const glm::dvec3 wo(std::sin(theta_o), 0.0, cos_outgoing);
   BrdfProjection<N> result;
-  add_theta_interval<N, parity>(brdf, wo, theta_o, 0.0, rule, result);
-  add_theta_interval<N, parity>(brdf, wo, theta_o, 0.5 * double(kPi), rule, result);
+  for_each_ring(theta_o, rule, [&](double cos_theta, double sin_theta, double weight) {
+    glm::dvec3 moments[std::size_t(N)] = {};
+    add_azimuthal_moments<N, parity>(brdf, wo, cos_theta, sin_theta, rule, moments);
+    add_ring<N>(moments, cos_theta, sin_theta, weight, result);
+  });
   result.theta_nodes = int(rule.nodes.size());
+  return result;
+}
+
+/// The greatest movement of both kinds of coefficients.
+struct ProjectionMovement {
+  template <class Projection>
+  double operator()(const Projection& coarse, const Projection& fine) const {
+    return (std::max)(relative_movement(coarse.with_cosine, fine.with_cosine),
+                      relative_movement(coarse.without_cosine, fine.without_cosine));
+  }
+};
+
+/// at_level's projections refined, with the error that was reached.
+template <class AtLevel>
+auto refine_projection(int levels, double tolerance, const AtLevel& at_level) {
+  auto [result, error] = refine(levels, tolerance, at_level, ProjectionMovement{});
+  result.error = error;
   return result;
 }
 
@@ -165,27 +148,15 @@ BrdfProjection<N> project_brdf_once(const F& brdf, double cos_outgoing, const Qu
 /// Projects brdf, a callable (glm::dvec3 wi, glm::dvec3 wo) -> glm::dvec3 in 1/sr that is even in phi, seen
 /// from cos_outgoing in [0, 1]. N bands; refined until no coefficient moves by more than tolerance times the
 /// largest. The result's `error` says what was reached, also where the 512 nodes ran out first.
-///
-/// The quadrature. A glossy lobe is a peak at the mirror direction, theta = theta_o and phi = pi. A uniform
-/// grid needs nodes in inverse proportion to the peak's width, and a coarse one can step over it twice and
-/// look converged. So the intervals are made to end at the peak: theta is split at theta_o, and phi runs over
-/// the half circle from pi to 0. Gauss-Legendre nodes crowd towards the end of an interval, n of them to
-/// 1.4 / n^2 of its length; with the substitution theta = theta_o +- length s^2, phi = pi - pi s^2, to 2 /
-/// n^4. The number of nodes then grows with the fourth root of the sharpness, and the first rule already has
-/// nodes within 1e-5 of the peak. Inside the intervals the integrand is smooth: convergence is geometric, and
-/// the error of the finer of two rules is far below their difference. What the cosine and Y add, polynomials
-/// of degree N, is nothing to 64 nodes if N <= 32.
+/// Its nodes are those of mirror_nodes.hpp; what the cosine and Y add, polynomials of degree N, is nothing to 64 of
+/// them if N <= 32.
 template <int N, class F>
 BrdfProjection<N> project_brdf(const F& brdf, double cos_outgoing, double tolerance,
                                const ProjectionQuadrature& quadrature) {
-  BrdfProjection<N> coarse = detail::project_brdf_once<N>(brdf, cos_outgoing, quadrature.rule(0));
-  for (int level = 1;; ++level) {
-    BrdfProjection<N> fine = detail::project_brdf_once<N>(brdf, cos_outgoing, quadrature.rule(level));
-    fine.error = (std::max)(detail::relative_movement(coarse.with_cosine, fine.with_cosine),
-                            detail::relative_movement(coarse.without_cosine, fine.without_cosine));
-    if (fine.error <= tolerance || level + 1 == ProjectionQuadrature::levels) return fine;
-    coarse = fine;
-  }
+  const auto at_level = [&](int level) {
+    return detail::project_brdf_once<N>(brdf, cos_outgoing, quadrature.rule(level));
+  };
+  return detail::refine_projection(ProjectionQuadrature::levels, tolerance, at_level);
 }
 
 template <int N, class F>

@@ -23,57 +23,42 @@ inline namespace ZONAL_TARGET {
 
 namespace detail {
 
-/// The zonal coefficients of the lobe about its mirror direction, by the nodes of project_brdf (projection.hpp), which
-/// crowd there.
-template <int N, class F>
-Zh<N, glm::dvec3> project_mirror_lobe_once(const F& brdf, double cos_outgoing, const QuadratureRule& rule) {
-  const double theta_o = std::acos(cos_outgoing);
-  const glm::dvec3 wo(std::sin(theta_o), 0.0, cos_outgoing), mirror(-wo.x, 0.0, wo.z);
-  Zh<N, glm::dvec3> result{};
-  for (const double end : {0.0, 0.5 * double(kPi)}) {
-    const double width = end - theta_o;
-    for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
-      const double s = 0.5 * (1.0 + rule.nodes[i]), theta = theta_o + width * s * s;
-      const double ring = std::abs(width) * s * rule.weights[i] * std::sin(theta);
-      for (std::size_t j = 0; j < rule.nodes.size(); ++j) {
-        const double t = 0.5 * (1.0 + rule.nodes[j]), phi = double(kPi) * (1.0 - t * t);
-        const glm::dvec3 wi(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
-        const glm::dvec3 weighted = brdf(wi, wo) * (ring * 2.0 * double(kPi) * t * rule.weights[j]);
-        evaluate_zonal<N>((std::min)(glm::dot(wi, mirror), 1.0),
-                          [&](auto l, double y) { result.values[l] += weighted * y; });
-      }
-    }
-  }
-  return result;
-}
-
-/// Refined until no coefficient moves by more than tolerance times the largest.
-template <int N, class F>
-Zh<N, glm::dvec3> project_mirror_lobe(const F& brdf, double cos_outgoing, double tolerance,
-                                      const ProjectionQuadrature& quadrature) {
-  auto coarse = project_mirror_lobe_once<N>(brdf, cos_outgoing, quadrature.rule(0));
-  for (int level = 1;; ++level) {
-    const auto fine = project_mirror_lobe_once<N>(brdf, cos_outgoing, quadrature.rule(level));
-    if (relative_movement(coarse, fine) <= tolerance || level + 1 == ProjectionQuadrature::levels) return fine;
-    coarse = fine;
-  }
-}
-
-/// The same by a quadrature of the BRDF's own.
-template <int N>
-Zh<N, glm::dvec3> project_mirror_lobe(const BrdfNodes& nodes, double cos_outgoing, double tolerance) {
-  const double sin_outgoing = std::sqrt((1.0 - cos_outgoing) * (1.0 + cos_outgoing));
-  const glm::dvec3 wo(sin_outgoing, 0.0, cos_outgoing), mirror(-sin_outgoing, 0.0, cos_outgoing);
+/// The zonal coefficients of the lobe about its mirror direction. nodes(level, visit) gives visit(wi, f times solid
+/// angle) those of a level; refined until no coefficient moves by more than tolerance times the largest.
+template <int N, class Nodes>
+Zh<N, glm::dvec3> project_mirror_lobe(int levels, const glm::dvec3& wo, double tolerance, const Nodes& nodes) {
+  const glm::dvec3 mirror(-wo.x, 0.0, wo.z);
   const auto at_level = [&](int level) {
     Zh<N, glm::dvec3> sum{};
-    nodes(wo, level, [&](const glm::dvec3& wi, const glm::dvec3& weighted) {
+    nodes(level, [&](const glm::dvec3& wi, const glm::dvec3& weighted) {
       evaluate_zonal<N>(std::clamp(glm::dot(wi, mirror), -1.0, 1.0),
                         [&](auto l, double y) { sum.values[l] += weighted * y; });
     });
     return sum;
   };
   const auto movement = [](const auto& coarse, const auto& fine) { return relative_movement(coarse, fine); };
-  return refine_nodes(tolerance, at_level, movement).first;
+  return refine(levels, tolerance, at_level, movement).first;
+}
+
+/// Of a BRDF as a function, by the nodes that crowd at the mirror direction.
+template <int N, class F>
+Zh<N, glm::dvec3> project_mirror_lobe(const F& brdf, double cos_outgoing, double tolerance,
+                                      const ProjectionQuadrature& quadrature) {
+  const double theta_o = std::acos(cos_outgoing);
+  const glm::dvec3 wo(std::sin(theta_o), 0.0, cos_outgoing);
+  const auto nodes = [&](int level, const auto& visit) {
+    for_each_mirror_node(theta_o, quadrature.rule(level),
+                         [&](const glm::dvec3& wi, double solid_angle) { visit(wi, brdf(wi, wo) * solid_angle); });
+  };
+  return project_mirror_lobe<N>(ProjectionQuadrature::levels, wo, tolerance, nodes);
+}
+
+/// By a quadrature of the BRDF's own.
+template <int N>
+Zh<N, glm::dvec3> project_mirror_lobe(const BrdfNodes& own, double cos_outgoing, double tolerance) {
+  const glm::dvec3 wo(std::sqrt((1.0 - cos_outgoing) * (1.0 + cos_outgoing)), 0.0, cos_outgoing);
+  const auto nodes = [&](int level, const auto& visit) { own(wo, level, visit); };
+  return project_mirror_lobe<N>(brdf_node_levels, wo, tolerance, nodes);
 }
 
 }  // namespace detail

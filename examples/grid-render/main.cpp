@@ -12,17 +12,19 @@
 #include <utility>
 #include <vector>
 
+#include <zonal/grid/grid_file.hpp>
+
 #include "fields.hpp"
 #include "lighting.hpp"
 #include "lights.hpp"
 #include "options.hpp"
-#include "outputs.hpp"
 #include "passes.hpp"
 #include "report.hpp"
+#include "shared/input_error.hpp"
 #include "shared/interrupt.hpp"
-#include "shared/primary_hits.hpp"
+#include "shared/layers.hpp"
+#include "shared/outputs.hpp"
 #include "shared/program.hpp"
-#include "shared/progress.hpp"
 #include "shared/ray_caster.hpp"
 #include "shared/view.hpp"
 
@@ -38,61 +40,51 @@ double cost_of(const Pass& pass) {
 }
 
 /// Fills the passes' pictures.
-class PictureRenderer {
- public:
-  PictureRenderer(const Scene& scene, const RayCaster& caster, Fields& fields, Report& report)
-      : scene_(scene), caster_(caster), report_(report), progress_(!report.options.quiet) {
-    const Options& options = report.options;
-    reflectors_ = report.times.time(stage_name::materials, [&] { return project_materials(scene.materials, options); });
-    for (Pass& pass : report.passes) {
-      pass.picture = Image(options.width, options.height);
-      fields_.push_back(fields.field(pass));
-    }
+void render(const Scene& scene, const RayCaster& caster, Fields& fields, Report& report) {
+  const Options& options = report.options;
+  const std::vector<Reflector> reflectors =
+      report.times.time(stage_name::materials, [&] { return project_materials(scene.materials, options); });
+  std::vector<Layer> layers;
+  for (Pass& pass : report.passes) {
+    pass.picture = Image(options.width, options.height);
+    const std::shared_ptr<LightField> field = fields.field(pass);
+    layers.push_back(layer(pass.name, cost_of(pass), pass.picture, [&, field](const Hit& hit, std::size_t) {
+      return scene.materials[hit.material].emission +
+             field->reflected(hit, towards_camera(scene, hit), reflectors[hit.material]);
+    }));
   }
+  report.counts.primary_samples = primary_samples(options);
+  report.counts.primary_hits = render_layers(scene, caster, options, layers, report.times);
+  for (Pass& pass : report.passes) pass.seconds = report.times.seconds(pass.name);
+}
 
-  void render() {
-    const Options& options = report_.options;
-    double cost = primary_cost;
-    for (const Pass& pass : report_.passes) cost += cost_of(pass);
-    progress_.expect(cost * static_cast<double>(report_.counts.primary_samples));
-    for_each_slice(options.width, options.height, options.antialias, [this](Slice slice) { render(slice); });
+/// Of the comparisons.
+std::vector<Image> differences(const Report& report) {
+  std::vector<Image> pictures;
+  for (const Comparison& comparison : report.comparisons) {
+    pictures.push_back(amplified_difference(report.passes[comparison.picture].picture,
+                                            report.passes[comparison.reference].picture, report.options.display,
+                                            difference_factor));
   }
+  return pictures;
+}
 
- private:
-  static constexpr double primary_cost = 1.0;
+OutputPlan planned_outputs(const Report& report, const Scene& scene) {
+  const Options& options = report.options;
+  OutputPlan plan{{}, {}, {options.save_grid}, scene.files};
+  for (const Pass& pass : report.passes) plan.pictures.push_back(pass.name);
+  for (const Comparison& comparison : report.comparisons) plan.differences.push_back(comparison.name);
+  plan.inputs.insert(plan.inputs.end(), {options.texture, options.load_grid});
+  return plan;
+}
 
-  Stage stage(const char* label, double cost) {
-    const int antialias = report_.options.antialias;
-    return {progress_, label, cost * antialias * antialias};
+void save(const LightGrid& grid, const std::string& path) {
+  try {
+    grid.save(path);
+  } catch (const zonal::GridFileError& error) {
+    throw InputError(one_line(error.what()));
   }
-
-  void render(Slice slice) {
-    const Image& image = report_.passes.front().picture;
-    const PrimaryHits hits = report_.times.time(stage_name::primary, [&] {
-      return trace_primary(caster_, scene_.camera, image, slice, report_.options.antialias,
-                           stage(stage_name::primary, primary_cost));
-    });
-    report_.counts.primary_hits += hits.count();
-    for (std::size_t i = 0; i < fields_.size(); ++i) shade(report_.passes[i], *fields_[i], hits);
-  }
-
-  void shade(Pass& pass, const LightField& field, const PrimaryHits& hits) {
-    const auto radiance = [&](const Hit& hit, std::size_t) {
-      return scene_.materials[hit.material].emission +
-             field.reflected(hit, towards_camera(scene_, hit), reflectors_[hit.material]);
-    };
-    StageTimes times;
-    times.time(pass.name, [&] { add_radiance(pass.picture, hits, stage(pass.name.c_str(), cost_of(pass)), radiance); });
-    pass.seconds += times.total();
-  }
-
-  const Scene& scene_;
-  const RayCaster& caster_;
-  Report& report_;
-  Progress progress_;
-  std::vector<Reflector> reflectors_;
-  std::vector<std::unique_ptr<LightField>> fields_;
-};
+}
 
 void finish(Report& report) {
   std::vector<Image*> pictures;
@@ -139,21 +131,22 @@ void run(const Options& options) {
       report.passes.front().grid->resolution = report.options.grid = loaded->resolution();
     }
   });
-  const Outputs outputs(report, scene);
+  const Outputs outputs(options, planned_outputs(report, scene));
 
   const RayCaster caster = report.times.time(stage_name::scene, [&] { return RayCaster(scene); });
-  const auto pixels = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
-  report.counts = {scene.mesh.triangles.size(),
-                   scene.materials.size(),
-                   lights.size(),
-                   pixels * static_cast<std::size_t>(options.antialias * options.antialias),
-                   0,
-                   0};
+  report.counts.triangles = scene.mesh.triangles.size();
+  report.counts.materials = scene.materials.size();
+  report.counts.lights = lights.size();
   Fields fields(scene, lights, report, std::move(loaded));
-  PictureRenderer(scene, caster, fields, report).render();
+  render(scene, caster, fields, report);
   finish(report);
   throw_if_interrupted();
-  outputs.write(report, fields.first_grid());
+
+  std::vector<const Image*> pictures;
+  for (const Pass& pass : report.passes) pictures.push_back(&pass.picture);
+  OutputBatch batch = outputs.prepare(pictures, differences(report), json_text(report));
+  if (!options.save_grid.empty()) save(*fields.first_grid(), options.save_grid);
+  batch.move_into_place();
   if (!options.quiet) std::fputs(table(report).c_str(), stdout);
 }
 

@@ -51,13 +51,8 @@ struct Comparison {
   ImageErrors errors = {};
 };
 
-struct Counts {
-  std::size_t triangles = 0;
-  std::size_t materials = 0;
+struct Counts : RunCounts {
   std::size_t lights = 0;
-  std::size_t primary_samples = 0;
-  std::size_t primary_hits = 0;
-  std::size_t pixels_not_finite = 0;
 };
 
 /// Everything there is to say about a run.

@@ -27,21 +27,9 @@ nlohmann::json options_json(const Options& options) {
 }
 
 nlohmann::json counts_json(const Counts& counts) {
-  return {{"triangles", counts.triangles},
-          {"materials", counts.materials},
-          {"lights", counts.lights},
-          {"primary_samples", counts.primary_samples},
-          {"primary_hits", counts.primary_hits},
-          {"pixels_not_finite", counts.pixels_not_finite}};
-}
-
-nlohmann::json errors_json(const ImageErrors& errors) {
-  return {{"mae", number_or_null(errors.mae)},
-          {"rmse", number_or_null(errors.rmse)},
-          {"psnr_db", number_or_null(errors.psnr)},
-          {"ssim", number_or_null(errors.ssim)},
-          {"linear_mae_relative_to_mean", number_or_null(errors.linear_mae)},
-          {"linear_rmse_relative_to_mean", number_or_null(errors.linear_rmse)}};
+  nlohmann::json json = example::counts_json(counts);
+  json.update({{"lights", counts.lights}});
+  return json;
 }
 
 nlohmann::json pass_json(const Pass& pass) {

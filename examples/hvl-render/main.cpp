@@ -5,20 +5,21 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "direct_light.hpp"
 #include "gatherer.hpp"
 #include "lit_scene.hpp"
+#include "option_names.hpp"
 #include "options.hpp"
-#include "outputs.hpp"
 #include "path.hpp"
 #include "report.hpp"
 #include "shared/image_file.hpp"
 #include "shared/input_error.hpp"
 #include "shared/interrupt.hpp"
-#include "shared/primary_hits.hpp"
+#include "shared/layers.hpp"
+#include "shared/outputs.hpp"
 #include "shared/program.hpp"
-#include "shared/progress.hpp"
 #include "time_budget.hpp"
 #include "virtual_lights.hpp"
 
@@ -75,107 +76,81 @@ void prepare_paths(Renderers& renderers, Report& report) {
   report.counts.samples_per_pixel = renderers.paths->samples_per_pixel();
 }
 
+/// Linear radiance; an image that no one asked for is empty.
+struct Pictures {
+  Image lights;  // by virtual lights
+  Image path;
+
+  Image& first() { return lights.width > 0 ? lights : path; }
+};
+
 /// Rough costs of a primary sample in rays, for the time left.
-struct Costs {
-  Costs(const Options& options, const Counts& counts) {
-    const double paths_per_sample =
-        static_cast<double>(counts.samples_per_pixel) / (options.antialias * options.antialias);
-    const double rays_per_light = options.centre_visibility ? 1.0 : options.method == Method::vsl ? 0.5 : 0.1;
-    gather = rays_per_light * static_cast<double>(counts.virtual_lights);
-    paths = (3.0 + options.bounces) * paths_per_sample;
-  }
+double gather_cost(const Report& report) {
+  const Options& options = report.options;
+  const double rays_per_light = options.centre_visibility ? 1.0 : options.method == Method::vsl ? 0.5 : 0.1;
+  return rays_per_light * static_cast<double>(report.counts.virtual_lights);
+}
+double path_cost(const Report& report) {
+  const int positions = report.options.antialias * report.options.antialias;
+  return (3.0 + report.options.bounces) * report.counts.samples_per_pixel / positions;
+}
 
-  double sum() const { return primary + direct + gather + paths; }
-
-  double primary = 1.0;
-  double direct = 1.0;
-  double gather;
-  double paths;
-};
-
-/// Renders a slice of the pictures, stage by stage.
-class SliceRenderer {
- public:
-  SliceRenderer(const Renderers& renderers, Pictures& pictures, Report& report, Progress& progress)
-      : renderers_(renderers),
-        pictures_(pictures),
-        report_(report),
-        progress_(progress),
-        costs_(report.options, report.counts) {}
-
-  void render(Slice slice) {
-    Image& first = renderers_.gatherer ? pictures_.lights : pictures_.path;
-    const PrimaryHits hits = trace_primary_rays(slice, first);
-    report_.counts.primary_hits += hits.count();
-    add_direct_light(first, hits);
-    if (report_.options.comparing()) share_direct_light(hits);
-    if (renderers_.gatherer) gather(hits);
-    if (renderers_.paths) trace_paths(hits);
-  }
-
- private:
-  Stage stage(const char* label, double cost) {
-    const int antialias = report_.options.antialias;
-    return {progress_, label, cost * antialias * antialias};
-  }
-
-  PrimaryHits trace_primary_rays(Slice slice, const Image& image) {
-    return report_.times.time(stage_name::primary, [&] {
-      return trace_primary(renderers_.caster, renderers_.scene.camera, image, slice, report_.options.antialias,
-                           stage(stage_name::primary, costs_.primary));
-    });
-  }
-
-  void add_direct_light(Image& image, const PrimaryHits& hits) {
-    const auto radiance = [&](const Hit& hit, std::size_t) {
-      return renderers_.scene.materials[hit.material].emission +
-             direct_radiance(renderers_.scene, renderers_.caster, hit, towards_camera(renderers_.scene, hit));
-    };
-    report_.times.time(stage_name::direct,
-                       [&] { add_radiance(image, hits, stage(stage_name::direct, costs_.direct), radiance); });
-  }
-
-  void share_direct_light(const PrimaryHits& hits) {
-    const auto begin = static_cast<std::ptrdiff_t>(pictures_.lights.index(0, hits.slice().first_row));
-    const auto count = static_cast<std::ptrdiff_t>(hits.pixel_count());
-    std::copy_n(pictures_.lights.pixels.begin() + begin, count, pictures_.path.pixels.begin() + begin);
-  }
-
-  void gather(const PrimaryHits& hits) {
-    const auto radiance = [&](const Hit& hit, std::size_t sample) {
-      return renderers_.gatherer->indirect_radiance(hit, towards_camera(renderers_.scene, hit), sample);
-    };
-    report_.times.time(stage_name::gather, [&] {
-      add_radiance(pictures_.lights, hits, stage(stage_name::gather, costs_.gather), radiance);
-    });
-  }
-
-  void trace_paths(const PrimaryHits& hits) {
-    const auto radiance = [&](const Hit& hit, std::size_t sample) {
-      return renderers_.paths->indirect_radiance(hit, sample);
-    };
-    report_.times.time(stage_name::paths,
-                       [&] { add_radiance(pictures_.path, hits, stage(stage_name::paths, costs_.paths), radiance); });
-  }
-
-  const Renderers& renderers_;
-  Pictures& pictures_;
-  Report& report_;
-  Progress& progress_;
-  Costs costs_;
-};
+/// Emission and direct light, which the pictures of a comparison have in common.
+Layer direct_layer(const Scene& scene, const RayCaster& caster, Pictures& pictures) {
+  const auto radiance = [&](const Hit& hit, std::size_t) {
+    return scene.materials[hit.material].emission + direct_radiance(scene, caster, hit, towards_camera(scene, hit));
+  };
+  return {stage_name::direct, 1.0, [radiance, &pictures](const PrimaryHits& hits, const Stage& stage) {
+            Image& first = pictures.first();
+            add_radiance(first, hits, stage, radiance);
+            if (&first == &pictures.path || pictures.path.width == 0) return;
+            const auto begin = static_cast<std::ptrdiff_t>(first.index(0, hits.slice().first_row));
+            const auto count = static_cast<std::ptrdiff_t>(hits.pixel_count());
+            std::copy_n(first.pixels.begin() + begin, count, pictures.path.pixels.begin() + begin);
+          }};
+}
 
 Pictures render(const Renderers& renderers, Report& report) {
-  const Options& options = report.options;
-  const Image blank(options.width, options.height);
+  const Scene& scene = renderers.scene;
+  const Image blank(report.options.width, report.options.height);
   Pictures pictures{renderers.gatherer ? blank : Image(), renderers.paths ? blank : Image()};
-  report.counts.primary_samples = blank.pixels.size() * static_cast<std::size_t>(options.antialias * options.antialias);
-
-  Progress progress(!options.quiet);
-  progress.expect(Costs(options, report.counts).sum() * static_cast<double>(report.counts.primary_samples));
-  SliceRenderer renderer(renderers, pictures, report, progress);
-  for_each_slice(options.width, options.height, options.antialias, [&](Slice slice) { renderer.render(slice); });
+  std::vector<Layer> layers{direct_layer(scene, renderers.caster, pictures)};
+  if (renderers.gatherer) {
+    const auto radiance = [&](const Hit& hit, std::size_t sample) {
+      return renderers.gatherer->indirect_radiance(hit, towards_camera(scene, hit), sample);
+    };
+    layers.push_back(layer(stage_name::gather, gather_cost(report), pictures.lights, radiance));
+  }
+  if (renderers.paths) {
+    const auto radiance = [&](const Hit& hit, std::size_t sample) {
+      return renderers.paths->indirect_radiance(hit, sample);
+    };
+    layers.push_back(layer(stage_name::paths, path_cost(report), pictures.path, radiance));
+  }
+  report.counts.primary_samples = primary_samples(report.options);
+  report.counts.primary_hits = render_layers(scene, renderers.caster, report.options, layers, report.times);
   return pictures;
+}
+
+OutputPlan planned_outputs(const Options& options, const Scene& scene) {
+  OutputPlan plan{{"picture"}, {}, {}, scene.files};
+  if (options.comparing()) plan.pictures = {name_of(method_names, options.method), "reference"};
+  if (options.comparing()) plan.differences = {"difference"};
+  for (const Material& material : scene.materials) plan.inputs.push_back(material.file);
+  plan.inputs.push_back(options.reference);
+  return plan;
+}
+
+void write(const Outputs& outputs, Pictures& pictures, const Report& report) {
+  const std::string text = json_text(report);
+  OutputBatch batch;
+  if (report.options.comparing()) {
+    const Image difference = difference_map(pictures.lights, pictures.path, report.options.display);
+    batch = outputs.prepare({&pictures.lights, &pictures.path}, {difference}, text);
+  } else {
+    batch = outputs.prepare({&pictures.first()}, {}, text);
+  }
+  batch.move_into_place();
 }
 
 void run(const Options& options) {
@@ -187,7 +162,7 @@ void run(const Options& options) {
   // All that can be wrong with the input comes to light before the work begins.
   const std::optional<Image> reference = load_reference(options);
   const Scene scene = report.times.time(stage_name::scene, [&] { return load_scene(options); });
-  const Outputs outputs(options, scene);
+  const Outputs outputs(options, planned_outputs(options, scene));
 
   const auto caster = report.times.time(stage_name::scene, [&] { return std::make_unique<RayCaster>(scene); });
   report.counts.triangles = scene.mesh.triangles.size();
@@ -198,16 +173,14 @@ void run(const Options& options) {
 
   Pictures pictures = render(renderers, report);
   report.counts.pixels_not_finite = repair(program_name, {&pictures.lights, &pictures.path});
-  const bool black =
-      warn_if_black(program_name, renderers.gatherer ? pictures.lights : pictures.path, report.counts.primary_hits);
+  const bool black = warn_if_black(program_name, pictures.first(), report.counts.primary_hits);
   if (!black && renderers.gatherer && report.counts.virtual_lights == 0) {
     warn(program_name, "the light falls on nothing: there are no virtual lights");
   }
   if (options.comparing()) report.errors = compare(pictures.lights, pictures.path, options.display);
-  if (reference)
-    report.errors = compare(renderers.gatherer ? pictures.lights : pictures.path, *reference, options.display);
+  if (reference) report.errors = compare(pictures.first(), *reference, options.display);
   throw_if_interrupted();
-  outputs.write(pictures, report);
+  write(outputs, pictures, report);
   if (!options.quiet) std::fputs(table(report).c_str(), stdout);
 }
 

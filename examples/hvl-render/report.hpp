@@ -20,15 +20,10 @@ inline constexpr const char* gather = "gather";
 inline constexpr const char* paths = "paths";
 }  // namespace stage_name
 
-struct Counts {
-  std::size_t triangles = 0;
-  std::size_t materials = 0;
+struct Counts : RunCounts {
   std::size_t map_lights = 0;      // of the square map
   std::size_t virtual_lights = 0;  // those that carry light
-  std::size_t primary_samples = 0;
-  std::size_t primary_hits = 0;
-  int samples_per_pixel = 0;  // paths
-  std::size_t pixels_not_finite = 0;
+  int samples_per_pixel = 0;       // paths
 };
 
 /// Everything there is to say about a run.

@@ -55,22 +55,12 @@ nlohmann::json options_json(const Options& options) {
   return json;
 }
 
-nlohmann::json errors_json(const ImageErrors& errors) {
-  return {{"rmse", number_or_null(errors.rmse)},
-          {"psnr_db", number_or_null(errors.psnr)},
-          {"ssim", number_or_null(errors.ssim)},
-          {"linear_rmse_relative_to_mean", number_or_null(errors.linear_rmse)}};
-}
-
 nlohmann::json counts_json(const Counts& counts) {
-  return {{"triangles", counts.triangles},
-          {"materials", counts.materials},
-          {"map_lights", counts.map_lights},
-          {"virtual_lights", counts.virtual_lights},
-          {"primary_samples", counts.primary_samples},
-          {"primary_hits", counts.primary_hits},
-          {"paths_per_pixel", counts.samples_per_pixel},
-          {"pixels_not_finite", counts.pixels_not_finite}};
+  nlohmann::json json = example::counts_json(counts);
+  json.update({{"map_lights", counts.map_lights},
+               {"virtual_lights", counts.virtual_lights},
+               {"paths_per_pixel", counts.samples_per_pixel}});
+  return json;
 }
 
 nlohmann::json budget_json(const Report& report) {

@@ -27,9 +27,9 @@ struct Slice {
 /// What the camera sees at the antialias x antialias positions of each pixel of a slice.
 class PrimaryHits {
  public:
-  PrimaryHits(const Image& image, Slice slice, int antialias)
+  PrimaryHits(int width, Slice slice, int antialias)
       : slice_(slice),
-        width_(image.width),
+        width_(width),
         per_pixel_(static_cast<std::size_t>(antialias) * static_cast<std::size_t>(antialias)),
         hits_(pixel_count() * per_pixel_) {}
 
@@ -96,8 +96,8 @@ void add_radiance(Image& image, const PrimaryHits& hits, const Stage& stage, con
   });
 }
 
-PrimaryHits trace_primary(const RayCaster& caster, const Camera& camera, const Image& image, Slice slice, int antialias,
-                          const Stage& stage);
+PrimaryHits trace_primary(const RayCaster& caster, const Camera& camera, int width, int height, Slice slice,
+                          int antialias, const Stage& stage);
 
 inline glm::vec3 towards_camera(const Scene& scene, const Hit& hit) {
   return glm::normalize(scene.camera.position - hit.position);

@@ -40,6 +40,23 @@ nlohmann::json common_options_json(const CommonOptions& options) {
   };
 }
 
+nlohmann::json counts_json(const RunCounts& counts) {
+  return {{"triangles", counts.triangles},
+          {"materials", counts.materials},
+          {"primary_samples", counts.primary_samples},
+          {"primary_hits", counts.primary_hits},
+          {"pixels_not_finite", counts.pixels_not_finite}};
+}
+
+nlohmann::json errors_json(const ImageErrors& errors) {
+  return {{"mae", number_or_null(errors.mae)},
+          {"rmse", number_or_null(errors.rmse)},
+          {"psnr_db", number_or_null(errors.psnr)},
+          {"ssim", number_or_null(errors.ssim)},
+          {"linear_mae_relative_to_mean", number_or_null(errors.linear_mae)},
+          {"linear_rmse_relative_to_mean", number_or_null(errors.linear_rmse)}};
+}
+
 nlohmann::json report_json(const nlohmann::json& options, const nlohmann::json& counts, const Machine& machine,
                            const StageTimes& times) {
   nlohmann::json json{{"options", options},

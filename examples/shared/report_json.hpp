@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common_options.hpp"
+#include "image.hpp"
 #include "stage_times.hpp"
 
 namespace example {
@@ -21,6 +22,9 @@ nlohmann::json camera_json(const CameraOverrides& camera);
 
 /// All but the camera and the output.
 nlohmann::json common_options_json(const CommonOptions& options);
+
+nlohmann::json counts_json(const RunCounts& counts);
+nlohmann::json errors_json(const ImageErrors& errors);
 
 /// What every report begins with.
 nlohmann::json report_json(const nlohmann::json& options, const nlohmann::json& counts, const Machine& machine,

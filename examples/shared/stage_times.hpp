@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,15 @@ inline constexpr const char* primary = "primary rays";
 struct Machine {
   int cores = 0;
   int threads = 0;
+};
+
+/// What every run counts.
+struct RunCounts {
+  std::size_t triangles = 0;
+  std::size_t materials = 0;
+  std::size_t primary_samples = 0;
+  std::size_t primary_hits = 0;
+  std::size_t pixels_not_finite = 0;
 };
 
 /// Wall-clock seconds of the stages of a run, in the order in which they first ran.

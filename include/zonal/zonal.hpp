@@ -28,6 +28,7 @@
 #include "transform/convolve.hpp"
 #include "transform/dot.hpp"
 #include "transform/orient.hpp"
+#include "transform/product.hpp"
 #include "transform/sample.hpp"
 #include "transform/window.hpp"
 #include "version.hpp"

@@ -11,14 +11,12 @@
 #include <vector>
 
 #include "../catch.hpp"
+#include "../drawn_directions.hpp"
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
-struct Direction {
-  double x, y, z;
-};
+using drawn::Direction;
+using drawn::pi;
 
 /// visit(direction, weight): exact for polynomials up to degree 2 rings - 1.
 template <class Visit>
@@ -70,60 +68,11 @@ std::vector<Function> functions() {
   return all;
 }
 
-constexpr int rows = 24, columns = 48;  // of equal solid angle
-
-int cell_of(double x, double y, double z) {
-  const double turn = std::atan2(y, x) / (2 * pi);
-  const int row = std::min(rows - 1, static_cast<int>((z + 1) / 2 * rows));
-  const int column = std::min(columns - 1, static_cast<int>((turn < 0 ? turn + 1 : turn) * columns));
-  return row * columns + column;
-}
-
-/// The function's share of each cell.
-std::vector<double> shares(const zonal::Sh<9, double>& sh) {
-  const double integral = sh[0] * std::sqrt(4 * pi);
-  const zonal::QuadratureRule rule = zonal::gauss_legendre(8);
-  std::vector<double> all(std::size_t{rows * columns});
-  for (int cell = 0; cell < rows * columns; ++cell) {
-    for (std::size_t i = 0; i < 8; ++i) {
-      for (std::size_t j = 0; j < 8; ++j) {
-        const double z = -1 + 2.0 / rows * (cell / columns + (1 + rule.nodes[i]) / 2), s = std::sqrt((1 - z) * (1 + z));
-        const double phi = 2 * pi / columns * (cell % columns + (1 + rule.nodes[j]) / 2);
-        const zonal::Sh<9, double> basis = zonal::evaluate<9>(Direction{s * std::cos(phi), s * std::sin(phi), z});
-        double value = 0;
-        for (int k = 0; k < 81; ++k) value += sh[k] * basis[k];
-        all[std::size_t(cell)] += value / integral * rule.weights[i] * rule.weights[j] * pi / (rows * columns);
-      }
-    }
-  }
-  return all;
-}
-
-/// The share of chi-squared's distribution above `statistic`, by Wilson and Hilferty's approximation.
-double probability_above(double statistic, double freedom) {
-  const double variance = 2 / (9 * freedom);
-  const double normal = (std::cbrt(statistic / freedom) - 1 + variance) / std::sqrt(variance);
-  return 0.5 * std::erfc(normal / std::sqrt(2.0));
-}
-
-/// Cells that are expected to have few count as one.
-template <class Counts>
-double chi_squared_probability(const Counts& counts, const std::vector<double>& expected) {
-  double statistic = 0, rest = 0, rest_expected = 0;
-  int freedom = -1;
-  for (std::size_t i = 0; i < expected.size(); ++i) {
-    if (expected[i] < 10) {
-      rest += counts[i], rest_expected += expected[i];
-    } else {
-      statistic += (counts[i] - expected[i]) * (counts[i] - expected[i]) / expected[i], ++freedom;
-    }
-  }
-  if (rest_expected >= 10) {
-    statistic += (rest - rest_expected) * (rest - rest_expected) / rest_expected, ++freedom;
-  } else {
-    CHECK(rest <= 40);
-  }
-  return freedom > 0 ? probability_above(statistic, freedom) : 1.0;
+double value_of(const zonal::Sh<9, double>& sh, const Direction& d) {
+  const zonal::Sh<9, double> basis = zonal::evaluate<9>(d);
+  double value = 0;
+  for (int k = 0; k < 81; ++k) value += sh[k] * basis[k];
+  return value;
 }
 
 template <class T>
@@ -134,30 +83,29 @@ void check_draws(const Function& function) {
   CHECK_FALSE(sampler.is_uniform());
   std::mt19937 random(23);
   std::uniform_real_distribution<T> uniform(T(0), T(1));
-  std::vector<double> counts(std::size_t{rows * columns});
+  std::vector<double> counts(std::size_t{drawn::cells});
   double worst_length = 0, worst_pdf = 0;
   const double integral = function.sh[0] * std::sqrt(4 * pi);
   double largest = 0;
   for (int i = 0; i < side * side; ++i) {
-    const auto drawn = sampler.sample(uniform(random), uniform(random));
-    const double x = double(drawn.x), y = double(drawn.y), z = double(drawn.z);
-    ++counts[std::size_t(cell_of(x, y, z))];
+    const auto direction = sampler.sample(uniform(random), uniform(random));
+    const double x = double(direction.x), y = double(direction.y), z = double(direction.z);
+    ++counts[std::size_t(drawn::cell_of(x, y, z))];
     worst_length = std::max(worst_length, std::abs(x * x + y * y + z * z - 1));
     if (i % 16 != 0) continue;
     const double scale = 1 / std::sqrt(x * x + y * y + z * z);
-    const zonal::Sh<9, double> basis = zonal::evaluate<9>(Direction{x * scale, y * scale, z * scale});
-    double value = 0;
-    for (int k = 0; k < 81; ++k) value += function.sh[k] * basis[k];
+    const double value = value_of(function.sh, {x * scale, y * scale, z * scale});
     largest = std::max(largest, value / integral);
-    worst_pdf = std::max(worst_pdf, std::abs(double(drawn.pdf) - value / integral));
-    worst_pdf = std::max(worst_pdf, std::abs(double(drawn.pdf - sampler.pdf(Direction{x, y, z}))));
+    worst_pdf = std::max(worst_pdf, std::abs(double(direction.pdf) - value / integral));
+    worst_pdf = std::max(worst_pdf, std::abs(double(direction.pdf - sampler.pdf(Direction{x, y, z}))));
   }
   constexpr double epsilon = double(std::numeric_limits<T>::epsilon());
   CHECK(worst_length <= 6 * epsilon);
   CHECK(worst_pdf <= 40 * epsilon * largest);
-  std::vector<double> expected = shares(function.sh);
+  std::vector<double> expected =
+      drawn::shares(6, [&](const Direction& d) { return value_of(function.sh, d) / integral; });
   for (double& share : expected) share *= side * side;
-  CHECK(chi_squared_probability(counts, expected) >= 1e-4);
+  CHECK(drawn::chi_squared_probability(counts, expected) >= 1e-4);
 }
 
 }  // namespace
@@ -185,10 +133,11 @@ TEST_CASE("Directions drawn at the ends of the unit square are directions") {
     const zonal::ShSampler<9, float> sampler{zonal::Sh<9, float>(function.sh)};
     for (const float u : {0.0F, 1e-30F, 0x1p-24F, 0.5F, 1 - 0x1p-24F, 1.0F}) {
       for (const float v : {0.0F, 1e-30F, 0x1p-24F, 0.5F, 1 - 0x1p-24F, 1.0F}) {
-        const auto drawn = sampler.sample(u, v);
-        INFO(function.name << ", u " << u << ", v " << v << ": " << drawn.x << ", " << drawn.y << ", " << drawn.z);
-        CHECK(std::abs(drawn.x * drawn.x + drawn.y * drawn.y + drawn.z * drawn.z - 1) <= 1e-6F);
-        CHECK(drawn.pdf >= 0);
+        const auto direction = sampler.sample(u, v);
+        INFO(function.name << ", u " << u << ", v " << v << ": " << direction.x << ", " << direction.y << ", "
+                           << direction.z);
+        CHECK(std::abs(direction.x * direction.x + direction.y * direction.y + direction.z * direction.z - 1) <= 1e-6F);
+        CHECK(direction.pdf >= 0);
       }
     }
   }
@@ -200,8 +149,8 @@ TEST_CASE("Directions of a function without a positive integral are uniform") {
     const zonal::ShSampler<2, float> sampler{zonal::Sh<2, float>{{first, 1, 2, 3}}};
     INFO(first);
     CHECK(sampler.is_uniform());
-    const auto drawn = sampler.sample(0.25F, 0.5F);
-    CHECK(drawn.z == Catch::Approx(-0.5F).margin(1e-6));
-    CHECK(drawn.pdf == Catch::Approx(1 / (4 * pi)).epsilon(1e-6));
+    const auto direction = sampler.sample(0.25F, 0.5F);
+    CHECK(direction.z == Catch::Approx(-0.5F).margin(1e-6));
+    CHECK(direction.pdf == Catch::Approx(1 / (4 * pi)).epsilon(1e-6));
   }
 }

@@ -121,7 +121,23 @@ struct Cube {
     return detail::triangle_solid_angle(a, b, c, side * side) + detail::triangle_solid_angle(a, c, d, side * side);
   }
 
+  constexpr bool is_whole(int column, int row) const { return has_direction(column, row); }
+  static constexpr double solid_angle_scale() { return 1; }
+  double density(double column, double row) const {
+    const double u = in_face(column), v = in_face(row), length2 = 1 + u * u + v * v;
+    return 4.0 / (double(size) * size) / (length2 * std::sqrt(length2));
+  }
+  double densest(int column, int row) const {
+    return density(nearest_to_middle(column % size), nearest_to_middle(row % size));
+  }
+
  private:
+  // Of a place, from -1 to 1.
+  double in_face(double place) const {
+    const double in_texels = place - size * std::floor(place / size);
+    return (2 * in_texels - size) / size;
+  }
+  double nearest_to_middle(int i) const { return detail::within(0.5 * size, i, i + 1); }
   double edge(int i) const { return double(2 * i - size) / size; }
   static int nearest(double place, int last) { return place < 0 ? 0 : place > last ? last : static_cast<int>(place); }
   static void set(std::array<double, 3>& v, SignedAxis axis, double value) {

@@ -33,6 +33,10 @@ struct Disc {
     return (p * p + q * q) / (double(size) * size);
   }
   bool has(int column, int row) const { return distance2(column, row) < reach * reach; }
+  bool has_whole(int column, int row) const {
+    const double p = std::abs(2.0 * column + 1 - size) + 1, q = std::abs(2.0 * row + 1 - size) + 1;
+    return p * p + q * q <= reach * reach * size * size;
+  }
 
   // Texels of each row that it has, from the row's middle to the right: visit(row, first column, last column + 1), for
   // the upper half of the rows and a middle one.
@@ -105,6 +109,11 @@ struct MirrorSphere {
 
   double solid_angle(int column, int row) const { return has_direction(column, row) ? texel_solid_angle_ : 0.0; }
 
+  bool is_whole(int column, int row) const { return disc_.has_whole(column, row); }
+  double solid_angle_scale() const { return texel_solid_angle_ / density(0, 0); }
+  double density(double, double) const { return 16 / (double(size) * size); }
+  double densest(int, int) const { return density(0, 0); }
+
  private:
   detail::Disc disc_;
   double texel_solid_angle_;
@@ -169,6 +178,16 @@ struct AngularMap {
     });
     const double side = 2.0 / size;
     return scale_ * double(kPi * kPi) * side * side * sum;
+  }
+
+  bool is_whole(int column, int row) const { return disc_.has_whole(column, row); }
+  double solid_angle_scale() const { return scale_; }
+  double density(double column, double row) const {
+    const double p = disc_.right(column), q = disc_.up(row), side = 2.0 / size;
+    return double(kPi * kPi) * side * side * detail::pi_series<1>(p * p + q * q);
+  }
+  double densest(int column, int row) const {
+    return density(detail::within(0.5 * size, column, column + 1), detail::within(0.5 * size, row, row + 1));
   }
 
  private:

@@ -44,6 +44,13 @@ struct Equirectangular {
     const double half = double(kPi) / 2 / height;
     return double(4 * kPi) / width * std::sin((2 * row + 1) * half) * std::sin(half);
   }
+
+  constexpr bool is_whole(int, int) const { return true; }
+  static constexpr double solid_angle_scale() { return 1; }
+  double density(double, double row) const {
+    return double(2 * kPi * kPi) / (double(width) * height) * std::sin(double(kPi) * row / height);
+  }
+  double densest(int column, int row) const { return density(column, detail::within(0.5 * height, row, row + 1)); }
 };
 
 }  // namespace ZONAL_TARGET

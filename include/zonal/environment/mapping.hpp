@@ -8,13 +8,18 @@
 //   has_direction(i, j)       whether the texel is any: not where a cross has no face, nor beside a disc
 //   direction(column, row)    unit vector, in double, exact to 1e-15; zeros where there is none
 //   texel(direction)          the continuous {column, row}, the inverse, always in the picture, so that rounded down
-//   they
-//                             are a texel's; on an edge of two parts of the picture, of either. At the rim of a disc
-//                             the texel may be one that is beside it
-//   solid_angle(i, j)         of a texel, in sr, to 1e-14 of itself; 0 where it has no direction. Their sum is
-//   covered()
-//                             to 1e-14 of it, for pictures of any size
+//                             they are a texel's; on an edge of two parts of the picture, of either. At the rim of a
+//                             disc the texel may be one that is beside it
+//   solid_angle(i, j)         of a texel, in sr, to 1e-14 of itself; 0 where it has no direction. The sum of all is
+//                             covered() to 1e-14 of it, for pictures of any size
 //   covered()                 4 pi; less where a dead angle is left out
+//
+// and, for drawing directions (sample.hpp),
+//
+//   is_whole(i, j)            whether all of the texel is directions
+//   solid_angle_scale()       by how much solid_angle() is more than that of a whole texel: 1, but of discs
+//   density(column, row)      of solid angle at a place, sr a texel
+//   densest(i, j)             at least the greatest of it in a whole texel
 //
 // Up is +z, forward +x, left +y, except in faces of cubes as graphics interfaces have them, where up is +y; each
 // mapping says where they are, and docs/rooms/environment.md shows it.

@@ -59,6 +59,17 @@ struct Octahedral {
     return copies * quarter_solid_angle(left < 0 ? 0 : left, low < 0 ? 0 : low, left + 2, low + 2);
   }
 
+  constexpr bool is_whole(int, int) const { return true; }
+  static constexpr double solid_angle_scale() { return 1; }
+  /// 1 / |p|^3, p being the place on the octahedron.
+  double density(double column, double row) const {
+    const double u = std::abs(2 * column - size) / size, v = std::abs(2 * row - size) / size, w = 1 - u - v;
+    const double x = w < 0 ? 1 - v : u, y = w < 0 ? 1 - u : v, length2 = x * x + y * y + w * w;
+    return 4.0 / (double(size) * size) / (length2 * std::sqrt(length2));
+  }
+  /// That of the middle of a face.
+  double densest(int, int) const { return 4 * 5.1961524227066319 / (double(size) * size); }
+
  private:
   // Of the rectangle in the quarter of positive u and v, in units of half a texel, n of which are the side of it.
   double quarter_solid_angle(int u0, int v0, int u1, int v1) const {

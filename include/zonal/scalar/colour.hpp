@@ -146,6 +146,10 @@ template <class T, class A, class B>
 ZONAL_INLINE constexpr void subtract_times(T& sum, const A& a, const B& b) {
   if constexpr (std::is_same_v<A, T> && std::is_same_v<B, T> && !is_colour_v<T>) {
     subtract_product(sum, a, b);
+  } else if constexpr (!is_colour_v<A>) {
+    sum = sum + times(A(-a), b);
+  } else if constexpr (!is_colour_v<B>) {
+    sum = sum + times(a, B(-b));
   } else {
     sum = sum + times(T(times(a, b)), number_t<T>(-1));
   }

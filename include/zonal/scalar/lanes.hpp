@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "scalar.hpp"
+#include "colour.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
@@ -136,6 +136,10 @@ template <class T, int count>
 struct ScalarTraits<Lanes<T, count>> {
   using Lane = T;
 };
+namespace detail {
+template <class T, int count>
+inline constexpr bool is_colour_v<Lanes<T, count>> = false;  // though they have no order
+}
 
 }  // namespace ZONAL_TARGET
 }  // namespace zonal

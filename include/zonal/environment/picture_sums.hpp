@@ -24,8 +24,8 @@ namespace detail {
 
 template <int N>
 struct PictureSums {
-  double radiance[N * N][3] = {};  // of L w Y
-  double one[N * N] = {};          // of w Y
+  double radiance[std::size_t{N * N}][3] = {};  // of L w Y
+  double one[std::size_t{N * N}] = {};          // of w Y
   PictureFaults faults;
 
   PictureSums& operator+=(const PictureSums& b) {

@@ -67,7 +67,7 @@ class LatitudeSums {
   }
 
   // `moments_of_one`: of a row of ones.
-  void finish(const double (&moments_of_one)[moments], PictureSums<N>& sums) const {
+  void finish(const double (&moments_of_one)[std::size_t{moments}], PictureSums<N>& sums) const {
     for (int l = 0; l < N; ++l) {
       for (int m = -l; m <= l; ++m) {
         const int i = sh_index(l, m);
@@ -216,10 +216,10 @@ class RowMoments {
     }
     const int width = picture_.width, half = width / 2;
     // Runs of mirrored columns end where the chunk begins: they are kept from the end of the padded chunk backwards.
-    read_part(0, run(row, begin), 0, count, padded, faults);
-    read_part(1, run(row, half - begin - count), padded - count, count, padded, faults);
-    read_part(2, run(row, half + begin), 0, count, padded, faults);
-    read_part(3, run(row, width - begin - count), padded - count, count, padded, faults);
+    read_part(0, run(row, begin), 0, count, padded, faults, 3 * chunk);
+    read_part(1, run(row, half - begin - count), padded - count, count, padded, faults, -3 * chunk);
+    read_part(2, run(row, half + begin), 0, count, padded, faults, 3 * chunk);
+    read_part(3, run(row, width - begin - count), padded - count, count, padded, faults, -3 * chunk);
     for (int c = 0; c < 3; ++c) {
       const int plane = 3 * which + c;
       for (int i = 0; i < padded; i += lanes) {
@@ -233,9 +233,10 @@ class RowMoments {
       }
     }
   }
-  void read_part(int part, const Run<Element>& run, int at, int count, int padded, PictureFaults& faults) {
+  void read_part(int part, const Run<Element>& run, int at, int count, int padded, PictureFaults& faults,
+                 std::ptrdiff_t ahead) {
     float* const to[3] = {parts_[part][0] + at, parts_[part][1] + at, parts_[part][2] + at};
-    read_run(run, count, to, faults);
+    read_run(run, count, to, faults, ahead);
     for (float(&plane)[std::size_t{chunk}] : parts_[part]) {
       for (int i = 0; i < at; ++i) plane[i] = 0;
       for (int i = at + count; i < padded; ++i) plane[i] = 0;

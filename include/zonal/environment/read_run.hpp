@@ -45,6 +45,12 @@ class RadianceCheck {
 };
 #endif
 
+inline void expect_reads(const float* numbers, int count) {
+#if defined(__GNUC__)
+  for (int i = 0; i < count; i += 16) __builtin_prefetch(numbers + i, 0, 2);
+#endif
+}
+
 // One by one: any stride, any element. What is no radiance becomes 0 and is counted.
 template <class Element>
 inline void read_texels(const Run<Element>& run, int begin, int end, float* const (&planes)[3], PictureFaults& faults) {
@@ -59,9 +65,11 @@ inline void read_texels(const Run<Element>& run, int begin, int end, float* cons
   for (int i = begin; i < end; ++i) planes[1][i] = planes[2][i] = planes[0][i];
 }
 
-/// `count` texels to planes[0 to 2][0 to count - 1].
+// `count` texels to planes[0 to 2][0 to count - 1]. What is to be read after them, `ahead` elements on, is fetched:
+// runs are too short for the processor to see it coming.
 template <class Element>
-inline void read_run(const Run<Element>& run, int count, float* const (&planes)[3], PictureFaults& faults) {
+inline void read_run(const Run<Element>& run, int count, float* const (&planes)[3], PictureFaults& faults,
+                     std::ptrdiff_t ahead = 0) {
   int done = 0;
 #if defined(__GNUC__)
   if constexpr (std::is_same_v<Element, float>) {
@@ -70,6 +78,7 @@ inline void read_run(const Run<Element>& run, int count, float* const (&planes)[
       RadianceCheck<width> check;
       for (; done + width <= count; done += width) {
         Lanes<float, width> v[3];
+        expect_reads(run.first + 3 * done + ahead, 3 * width);
         load_triples(run.first + 3 * done, v);
         for (int c = 0; c < 3; ++c) {
           check.see(v[c]);

@@ -42,10 +42,11 @@ template <int first, int last, int order, int K, int N, class C>
 ZONAL_INLINE constexpr void give_terms(Sh<K, C>& sums, const C& even, const C& odd) {
   unroll<first, last>([&](auto t) ZONAL_INLINE {
     using Number = number_t<C>;
-    constexpr typename GauntTable<N, K>::Term term = gaunt_table<N, K>.terms[t];
-    constexpr auto gaunt = rounded<Number>(term.value);
-    give(sums.values[sh_index(term.j, order)], term.is_first, even, Number(gaunt));
-    if constexpr (order > 0) give(sums.values[sh_index(term.j, -order)], term.is_first, odd, Number(gaunt));
+    constexpr int j = gaunt_table<N, K>.terms[t].j;
+    constexpr bool is_first = gaunt_table<N, K>.terms[t].is_first;
+    constexpr auto gaunt = rounded<Number>(gaunt_table<N, K>.terms[t].value);
+    give(sums.values[sh_index(j, order)], is_first, even, Number(gaunt));
+    if constexpr (order > 0) give(sums.values[sh_index(j, -order)], is_first, odd, Number(gaunt));
   });
 }
 
@@ -90,13 +91,13 @@ ZONAL_INLINE constexpr void for_each_zonal_factor(const Zh<N, Z>& z, Apply&& app
   unroll<0, Table::pair_count>([&](auto index) ZONAL_INLINE {
     constexpr typename Table::Pair pair = zonal_gaunt_table<N, Orders>.pairs[index];
     using Number = number_t<Z>;
-    constexpr typename Table::Term first = zonal_gaunt_table<N, Orders>.terms[pair.first];
-    constexpr auto first_gaunt = rounded<Number>(first.value);
-    Z factor = times(z.values[first.k], Number(first_gaunt));
+    constexpr int first = zonal_gaunt_table<N, Orders>.terms[pair.first].k;
+    constexpr auto first_gaunt = rounded<Number>(zonal_gaunt_table<N, Orders>.terms[pair.first].value);
+    Z factor = times(z.values[first], Number(first_gaunt));
     unroll<pair.first + 1, pair.last>([&](auto t) ZONAL_INLINE {
-      constexpr typename Table::Term term = zonal_gaunt_table<N, Orders>.terms[t];
-      constexpr auto gaunt = rounded<Number>(term.value);
-      add_times(factor, z.values[term.k], Number(gaunt));
+      constexpr int k = zonal_gaunt_table<N, Orders>.terms[t].k;
+      constexpr auto gaunt = rounded<Number>(zonal_gaunt_table<N, Orders>.terms[t].value);
+      add_times(factor, z.values[k], Number(gaunt));
     });
     apply(pair.l, pair.j, pair.m, factor);
   });

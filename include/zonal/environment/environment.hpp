@@ -46,6 +46,11 @@ class Environment {
     }
     const std::string unfit = visit_mapping(
         mapping, [&](auto tag) { return decltype(tag)::Type::what_is_wrong(picture.width, picture.height); });
+    if (unfit.empty() && is_mirror) {  // the texel in the middle, or one of four
+      const int middle = picture.width / 2;
+      const bool has_any = MirrorSphere(picture.width, picture.width, dead_angle).has_direction(middle, middle);
+      return has_any ? unfit : "a mirror sphere of which the dead angle leaves no texel";
+    }
     return unfit.empty() ? unfit : std::string("no ") + mapping_name(mapping) + ", " + size + ": " + unfit;
   }
   static std::string what_is_wrong(const std::array<View, 6>& faces) {

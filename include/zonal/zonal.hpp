@@ -29,6 +29,7 @@
 #include "transform/dot.hpp"
 #include "transform/orient.hpp"
 #include "transform/product.hpp"
+#include "transform/rotate.hpp"
 #include "transform/sample.hpp"
 #include "transform/window.hpp"
 #include "version.hpp"

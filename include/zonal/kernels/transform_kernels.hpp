@@ -11,6 +11,8 @@
 #include "../transform/convolve.hpp"
 #include "../transform/dot.hpp"
 #include "../transform/orient.hpp"
+#include "../transform/product.hpp"
+#include "../transform/rotate.hpp"
 #include "../transform/window.hpp"
 #include "kernel_io.hpp"
 
@@ -52,6 +54,68 @@ struct Orient : Kernel {
     const auto zh = detail::take_zonal<N>(io, "zh");
     const auto axis = io.vector("axis", Domain::unit_vector);
     orient(zh, axis[0], axis[1], axis[2], ShOutput<T>{io.template output_sh<N>("sh")});
+  }
+};
+
+struct RotateAboutZ : Kernel {
+  static constexpr const char* name = "rotate_about_z";
+  static constexpr const char* summary = "A function turned about z, from x towards y.";
+  template <int N, class Io>
+  static void run(Io& io) {
+    const auto sh = detail::take_sh<N>(io, "sh");
+    const auto angle = io.cap("angle", Domain::angle);
+    const auto result = io.template output_sh<N>("result");
+    const auto turned = rotate_about_z(sh, angle.cos_angle, angle.sin_angle);
+    unroll<0, N * N>([&](auto i) { result[i] = turned.values[i]; });
+  }
+};
+
+namespace detail {
+// Of m = 1, 2, ... of the three turns of a rotation (transform/rotate.hpp), one after the other: cosine and sine.
+template <int N>
+inline constexpr int turn_numbers = 6 * (N > 1 ? N - 1 : 1);
+constexpr int turn_place(int bands, int turn, int m) { return 2 * ((bands > 1 ? bands - 1 : 1) * turn + m - 1); }
+}  // namespace detail
+
+struct PrepareRotation : Kernel {
+  static constexpr const char* name = "prepare_rotation";
+  static constexpr const char* summary =
+      "What rotate takes: cosines and sines of m = 1, 2, ... of three turns. By a quaternion, w first, of any length "
+      "but 0.";
+  template <int N, class Io>
+  static void run(Io& io) {
+    constexpr int bands = N > 1 ? N : 2;
+    const auto q = io.template numbers<4>("quaternion", Domain::coefficient);
+    const auto turns = io.output("turns", detail::turn_numbers<N>);
+    const auto rotation = Rotation<bands, typename Io::Scalar>::from_quaternion(q[0], q[1], q[2], q[3]);
+    for (int turn = 0; turn < 3; ++turn) {
+      for (int m = 1; m < bands; ++m) {
+        turns[detail::turn_place(N, turn, m)] = rotation.turn(turn).cosine[m];
+        turns[detail::turn_place(N, turn, m) + 1] = rotation.turn(turn).sine[m];
+      }
+    }
+  }
+};
+
+struct Rotate : Kernel {
+  static constexpr const char* name = "rotate";
+  static constexpr const char* summary = "A function rotated, as prepare_rotation prepares it.";
+  template <int N, class Io>
+  static void run(Io& io) {
+    using T = typename Io::Scalar;
+    const auto sh = detail::take_sh<N>(io, "sh");
+    const auto numbers = io.template numbers<detail::turn_numbers<N>>("turns", Domain::cosine);
+    const auto turn = [&](int i) {
+      TurnAboutZ<N, T> turned(T(1), T(0));
+      for (int m = 1; m < N; ++m) {
+        const auto place = static_cast<std::size_t>(detail::turn_place(N, i, m));
+        turned.cosine[m] = numbers[place], turned.sine[m] = numbers[place + 1];
+      }
+      return turned;
+    };
+    const auto result = io.template output_sh<N>("result");
+    const auto rotated = rotate(sh, Rotation<N, T>(turn(0), turn(1), turn(2)));
+    unroll<0, N * N>([&](auto i) { result[i] = rotated.values[i]; });
   }
 };
 
@@ -173,6 +237,45 @@ struct DotZonal : DotOf<DotZonal> {
   }
 };
 
+struct Product : Kernel {
+  static constexpr const char* name = "product";
+  static constexpr const char* summary = "The product of two functions, of which the first bands are kept.";
+  static constexpr int most_bands = 6;
+  template <int N, class Io>
+  static void run(Io& io) {
+    const auto a = detail::take_sh<N>(io, "a"), b = detail::take_sh<N>(io, "b", false);
+    const auto result = io.template output_sh<N>("result");
+    const auto values = product(a, b);
+    for (int i = 0; i < N * N; ++i) result[i] = values[i];
+  }
+};
+
+struct ProductZonal : Kernel {
+  static constexpr const char* name = "product_with_zonal";
+  static constexpr const char* summary =
+      "The product with a function that is zonal about z, of which the first bands are kept.";
+  template <int N, class Io>
+  static void run(Io& io) {
+    const auto sh = detail::take_sh<N>(io, "sh");
+    const auto zh = detail::take_zonal<N>(io, "zh", false);
+    const auto result = io.template output_sh<N>("result");
+    const auto values = product(sh, zh);
+    for (int i = 0; i < N * N; ++i) result[i] = values[i];
+  }
+};
+
+struct TripleProduct : Kernel {
+  static constexpr const char* name = "triple_product";
+  static constexpr const char* summary = "The integral of the product of three functions.";
+  static constexpr int most_bands = Product::most_bands;
+  template <int N, class Io>
+  static void run(Io& io) {
+    const auto a = detail::take_sh<N>(io, "a"), b = detail::take_sh<N>(io, "b", false);
+    const auto c = detail::take_sh<N>(io, "c", false);
+    io.output("value", 0)[0] = triple_product(a, b, c);
+  }
+};
+
 template <Window window>
 struct WindowFactors : Kernel {
   static constexpr const char* name = window == Window::hann ? "hann_window" : "sinc_window";
@@ -223,6 +326,7 @@ constexpr std::array<char, Size + 1> join_texts(std::string_view a, std::string_
 template <class Entry, Colours colours = Colours::first>
 struct OfColours : Kernel {
   static constexpr bool is_coloured = true;
+  static constexpr int most_bands = Entry::most_bands;
   template <int N, class Io>
   static void run(Io& io) {
     for (int channel = 0; channel < 3; ++channel) {

@@ -39,7 +39,7 @@ struct CosineAndSine {
 /// 1 / sqrt(length2); of what is so small that it is no normal number, 0.
 template <class T>
 ZONAL_INLINE constexpr T inverse_length(const T& length2) {
-  constexpr auto smallest = std::numeric_limits<lane_t<T>>::min() * lane_t<T>(0x1p60);
+  constexpr auto smallest = std::numeric_limits<lane_t<T>>::min();
   const auto is_there = T(smallest) < length2;
   return select(is_there, T(1) / sqrt(select(is_there, length2, T(1))), T(0));
 }
@@ -110,6 +110,8 @@ ZONAL_INLINE constexpr void swap_degree(const C* in, C* out) {
 /// coefficients that are numbers of T, or colours of them.
 template <int N, class T>
 class Rotation {
+  using Pair = detail::CosineAndSine<T>;
+
  public:
   /// The rotation by nothing.
   constexpr Rotation() : Rotation(Pair{T(1), T(0)}, Pair{T(1), T(0)}, Pair{T(1), T(0)}, T(1)) {}
@@ -135,12 +137,21 @@ class Rotation {
 
   /// By a quaternion w + x i + y j + z k, of any length but 0: d becomes q d q^-1.
   ZONAL_INLINE static constexpr Rotation from_quaternion(const T& w, const T& x, const T& y, const T& z) {
-    const T ww = w * w, xx = x * x, yy = y * y, zz = z * z;
-    const T xy = x * y, yz = y * z, xz = x * z, wx = w * x, wy = w * y, wz = w * z;
-    const detail::Direction3<T> axes[3] = {{ww + xx - yy - zz, T(2) * (xy + wz), T(2) * (xz - wy)},
-                                           {T(2) * (xy - wz), ww - xx + yy - zz, T(2) * (yz + wx)},
-                                           {T(2) * (xz + wy), T(2) * (yz - wx), ww - xx - yy + zz}};
-    return from_axes(axes[0], axes[1], axes[2]);
+    // By the half sums: (w, z) is cos(b/2) times the cosine and sine of (a + c)/2, (y, -x) sin(b/2) times those of
+    // (a - c)/2. Nothing cancels.
+    const T upright2 = w * w + z * z, tilted2 = x * x + y * y, per_length2 = T(1) / (upright2 + tilted2);
+    const T upright = detail::inverse_length(upright2), tilted = detail::inverse_length(tilted2);
+    const auto is_upright = T(0) < upright, is_tilted = T(0) < tilted;
+    const Pair sum{select(is_upright, w * upright, T(1)), select(is_upright, z * upright, T(0))};
+    const Pair difference{select(is_tilted, y * tilted, T(1)), select(is_tilted, -(x * tilted), T(0))};
+    const T cosine = (upright2 - tilted2) * per_length2,
+            sine = T(2) * (upright2 * upright) * (tilted2 * tilted) * per_length2;
+    return Rotation(Pair{sum.cosine * difference.cosine - sum.sine * difference.sine,
+                         sum.sine * difference.cosine + sum.cosine * difference.sine},
+                    Pair{cosine, sine},
+                    Pair{sum.cosine * difference.cosine + sum.sine * difference.sine,
+                         sum.sine * difference.cosine - sum.cosine * difference.sine},
+                    T(1));
   }
 
   /// By an axis, a unit vector, and an angle in radians, counterclockwise as seen from the axis' end. Built-in numbers.
@@ -210,7 +221,6 @@ class Rotation {
       : first_(first), second_(second), third_(third), parity_(parity) {}
 
  private:
-  using Pair = detail::CosineAndSine<T>;
   ZONAL_INLINE constexpr Rotation(const Pair& a, const Pair& b, const Pair& c, const T& parity)
       : first_(c.cosine, c.sine), second_(b.cosine, -b.sine), third_(a.cosine, a.sine), parity_(parity) {}
 

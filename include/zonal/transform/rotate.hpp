@@ -6,16 +6,14 @@
 //
 //   R = Rz(a) Ry(b) Rz(c) = Z(a) S Z(-b) S Z(c)
 //
-// S has few entries that are not zero, and they are constants (swap_matrix.hpp): at 5 bands all takes 214
-// multiplications for 165 of dense blocks, which have to be computed first; at 10 bands 1224 for 1330.
+// S has few entries that are not zero, and they are constants (swap_matrix.hpp): at 5 bands all takes 208
+// multiplications for 164 of dense blocks, which have to be computed first; at 10 bands 1218 for 1329.
 //
 // The cosines and sines of a, b and c follow from the matrix without trigonometry: b's and c's from the third row, and
 // a's from what then is left of the second column, which is of unit length whatever b is; so nothing is lost where b is
 // next to 0 or pi.
 //
-// [1] D. Pinchon, P. E. Hoggan, "Rotation matrices for real spherical harmonics: general rotations of atomic orbitals
-// in
-//     space-fixed axes", Journal of Physics A 40, 2007.
+// [1] D. Pinchon, P. E. Hoggan, "Rotation matrices for real spherical harmonics", Journal of Physics A 40, 2007.
 #pragma once
 
 #include <cmath>
@@ -124,14 +122,14 @@ class Rotation {
     const auto x = detail::as_direction<T>(x_axis), y = detail::as_direction<T>(y_axis),
                z = detail::as_direction<T>(z_axis);
     const T volume = (x.y * y.z - x.z * y.y) * z.x + (x.z * y.x - x.x * y.z) * z.y + (x.x * y.y - x.y * y.x) * z.z;
-    const T parity = select(volume < T(0), T(-1), T(1));
+    const T parity = select(volume < T(0), T(-1), T(1)) + T(0) * volume;  // no number of what is none
     const T across2 = x.z * x.z + y.z * y.z;
     const T across = detail::inverse_length(across2), scale = parity * detail::inverse_length(across2 + z.z * z.z);
     const auto is_tilted = T(0) < across;
     const T cc = select(is_tilted, -(parity * across * x.z), T(1)), sc = select(is_tilted, parity * across * y.z, T(0));
     const T ca = scale * (cc * y.y + sc * x.y), sa = -(scale * (cc * y.x + sc * x.x));
-    const T near_one = T(1.5L) - T(0.5L) * (ca * ca + sa * sa);  // one step of Newton's method to 1 / its root
-    return Rotation(Pair{near_one * ca, near_one * sa}, Pair{scale * z.z, scale * (sc * y.z - cc * x.z)}, Pair{cc, sc},
+    const T to_unit = T(1) / sqrt(ca * ca + sa * sa);
+    return Rotation(Pair{to_unit * ca, to_unit * sa}, Pair{scale * z.z, scale * (sc * y.z - cc * x.z)}, Pair{cc, sc},
                     parity);
   }
 

@@ -36,10 +36,15 @@ struct OctantRun {
       }
     }
   }
+  // Texels that are their own mirror images come twice: those from first_copy on are not counted again.
   template <class Element>
-  void read(int sign, const Run<Element>& run, PictureFaults& faults) {
+  void read(int sign, const Run<Element>& run, PictureFaults& faults, int first_copy, int end_of_copies) {
     float* const to[3] = {texels[sign][0], texels[sign][1], texels[sign][2]};
-    read_run(run, count, to, faults);
+    PictureFaults found, again;
+    read_run(run, count, to, found);
+    if (found.total() != 0) read_texels(run, first_copy, end_of_copies, to, again);
+    faults += found;
+    faults -= again;
     has[sign] = true;
   }
 };
@@ -176,7 +181,9 @@ void read_mirrored(OctantRun& run, const Picture<const Element>& picture, int fi
     const Run<Element> texels{picture.at(side.texel(first, left), side.texel(row, above)),
                               left ? -picture.column_stride : picture.column_stride, picture.channel_stride,
                               picture.channels};
-    run.read((left ? column_bit : 0) | (above ? row_bit : 0) | other_bits, texels, faults);
+    const bool is_odd = side.size % 2 != 0;
+    const int copies = is_odd && above && row == 0 ? run.count : is_odd && left && first == 0 ? 1 : 0;
+    run.read((left ? column_bit : 0) | (above ? row_bit : 0) | other_bits, texels, faults, 0, copies);
   }
 }
 
@@ -300,14 +307,15 @@ void add_octants(const Environment<Element>& environment, const Octahedral& mapp
       if (first == 0) run.weight[0] *= side.share(0);
       read_mirrored(run, picture, first, row, 1, 2, 0, sums.faults);
       if (is_even) {
-        if (first + run.count == count) run.weight[run.count - 1] *= 0.5;
+        const int on_diagonal = first + run.count == count ? run.count - 1 : run.count;
+        if (on_diagonal < run.count) run.weight[on_diagonal] *= 0.5;
         for (int s = 0; s < 4; ++s) {
           const bool left = (s & 1) != 0, above = (s & 2) != 0;
           run.read(
               s | 4,
               Run<Element>{picture.at(side.texel(half - 1 - row, left), side.texel(half - 1 - first, above)),
                            above ? picture.row_stride : -picture.row_stride, picture.channel_stride, picture.channels},
-              sums.faults);
+              sums.faults, on_diagonal, run.count);
         }
       }
       octants.add(run);

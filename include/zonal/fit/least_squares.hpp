@@ -131,7 +131,7 @@ struct Fit {
 /// colour made of these alone: glm::vec3, Eigen::Vector3f, a struct of three floats with c[i].
 ///
 /// Left out, and counted: samples whose direction is zero, whose weight is negative, or of which any number is NaN,
-/// infinite, or larger than 1e150. A weight of 0 is one that counts for nothing.
+/// infinite, or larger than 1e100. A weight of 0 is one that counts for nothing.
 template <int N, class C>
 class SampleFitter {
  public:
@@ -195,7 +195,7 @@ class SampleFitter {
   }
 
  private:
-  static constexpr double most = 1e150;  // its square is finite
+  static constexpr double most = 1e100;  // squares of values, weighted, stay finite
 
   detail::SampleTriangle triangle_{N * N, channels};
   std::size_t used_ = 0, left_out_ = 0;

@@ -28,5 +28,6 @@
 #include "transform/convolve.hpp"
 #include "transform/dot.hpp"
 #include "transform/orient.hpp"
+#include "transform/product.hpp"
 #include "transform/window.hpp"
 #include "version.hpp"

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "../basis/sh.hpp"
+#include "../scalar/for_each.hpp"
 #include "../transform/window.hpp"
 #include "brdf.hpp"
 #include "node_projection.hpp"
@@ -184,15 +185,6 @@ class MaterialTable {
   int bands_, angles_;
   double achieved_error_ = 0.0;
   std::vector<glm::vec3> with_cosine_, without_cosine_;
-};
-
-/// for_each(count, body): calls body(0), ..., body(count - 1). Pass your own to spread the work over threads;
-/// the calls are independent, in any order.
-struct SerialForEach {
-  template <class Body>
-  void operator()(int count, const Body& body) const {
-    for (int i = 0; i < count; ++i) body(i);
-  }
 };
 
 namespace detail {

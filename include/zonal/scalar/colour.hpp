@@ -133,6 +133,24 @@ ZONAL_INLINE constexpr void set_product(T& to, const A& a, const B& b) {
   }
 }
 
+// sum += a * b and sum -= a * b, in one rounding where scalars have such an operation. Colours need no minus.
+template <class T, class A, class B>
+ZONAL_INLINE constexpr void add_times(T& sum, const A& a, const B& b) {
+  if constexpr (std::is_same_v<A, T> && std::is_same_v<B, T> && !is_colour_v<T>) {
+    add_product(sum, a, b);
+  } else {
+    sum = sum + times(a, b);
+  }
+}
+template <class T, class A, class B>
+ZONAL_INLINE constexpr void subtract_times(T& sum, const A& a, const B& b) {
+  if constexpr (std::is_same_v<A, T> && std::is_same_v<B, T> && !is_colour_v<T>) {
+    subtract_product(sum, a, b);
+  } else {
+    sum = sum + times(T(times(a, b)), number_t<T>(-1));
+  }
+}
+
 }  // namespace detail
 }  // namespace ZONAL_TARGET
 }  // namespace zonal

@@ -189,6 +189,10 @@ template <class T, int W>  // for the compiler, which has no preference between 
 ZONAL_INLINE inline void add_product(Packet<T, W>& sum, const Packet<T, W>& a, const Packet<T, W>& b) {
   add_product<T, W, W>(sum, a, b);
 }
+template <class T, int W>
+ZONAL_INLINE inline void subtract_product(Packet<T, W>& sum, const Packet<T, W>& a, const Packet<T, W>& b) {
+  add_product<T, W, W>(sum, -a, b);
+}
 
 template <class T, int W>
 struct ScalarTraits<Packet<T, W>> {

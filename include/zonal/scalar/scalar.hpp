@@ -113,6 +113,11 @@ template <class T>
 ZONAL_INLINE constexpr void add_product(T& sum, const T& a, const T& b) {
   sum = sum + a * b;
 }
+/// sum -= a * b.
+template <class T>
+ZONAL_INLINE constexpr void subtract_product(T& sum, const T& a, const T& b) {
+  sum = sum - a * b;
+}
 
 template <class T>
 ZONAL_INLINE constexpr T clamp(T x, T low, T high) {

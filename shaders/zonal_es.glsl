@@ -1,5 +1,5 @@
-// zonal 0.2.0, GLSL ES 3.00. --bands 5 --functions evaluate@2,evaluate@3,evaluate@4,evaluate@5,evaluate_with_gradient@2,evaluate_with_gradient@3,evaluate_with_gradient@4,evaluate_with_gradient@5,reconstruct@2,reconstruct@3,reconstruct@4,reconstruct@5,reconstruct_colour@2,reconstruct_colour@3,reconstruct_colour@4,reconstruct_colour@5,reconstruct_lambert@2,reconstruct_lambert@3,reconstruct_lambert@4,reconstruct_lambert@5,reconstruct_lambert_colour@2,reconstruct_lambert_colour@3,reconstruct_lambert_colour@4,reconstruct_lambert_colour@5,orient@2,orient@3,orient@4,orient@5,orient_colour@2,orient_colour@3,orient_colour@4,orient_colour@5,dot@2,dot@3,dot@4,dot@5,dot_colour@2,dot_colour@3,dot_colour@4,dot_colour@5,dot_colours@2,dot_colours@3,dot_colours@4,dot_colours@5,convolve@2,convolve@3,convolve@4,convolve@5,convolve_colour@2,convolve_colour@3,convolve_colour@4,convolve_colour@5,lambert@2,lambert@3,lambert@4,lambert@5,cap@2,cap@3,cap@4,cap@5,cap_up_to_hemisphere@2,cap_up_to_hemisphere@3,cap_up_to_hemisphere@4,cap_up_to_hemisphere@5,sphere_cap@2,sphere_cap@3,sphere_cap@4,sphere_cap@5,phong@2,phong@3,phong@4,phong@5,spherical_gaussian@2,spherical_gaussian@3,spherical_gaussian@4,spherical_gaussian@5,project_sphere@2,project_sphere@3,project_sphere@4,project_sphere@5
-// 80 functions, 4720 operations. Written by zonal-glsl: do not edit.
+// zonal 0.2.0, GLSL ES 3.00. --bands 5 --functions evaluate@2,evaluate@3,evaluate@4,evaluate@5,evaluate_with_gradient@2,evaluate_with_gradient@3,evaluate_with_gradient@4,evaluate_with_gradient@5,reconstruct@2,reconstruct@3,reconstruct@4,reconstruct@5,reconstruct_colour@2,reconstruct_colour@3,reconstruct_colour@4,reconstruct_colour@5,reconstruct_lambert@2,reconstruct_lambert@3,reconstruct_lambert@4,reconstruct_lambert@5,reconstruct_lambert_colour@2,reconstruct_lambert_colour@3,reconstruct_lambert_colour@4,reconstruct_lambert_colour@5,orient@2,orient@3,orient@4,orient@5,orient_colour@2,orient_colour@3,orient_colour@4,orient_colour@5,dot@2,dot@3,dot@4,dot@5,dot_colour@2,dot_colour@3,dot_colour@4,dot_colour@5,dot_colours@2,dot_colours@3,dot_colours@4,dot_colours@5,convolve@2,convolve@3,convolve@4,convolve@5,convolve_colour@2,convolve_colour@3,convolve_colour@4,convolve_colour@5,lambert@2,lambert@3,lambert@4,lambert@5,cap@2,cap@3,cap@4,cap@5,cap_up_to_hemisphere@2,cap_up_to_hemisphere@3,cap_up_to_hemisphere@4,cap_up_to_hemisphere@5,sphere_cap@2,sphere_cap@3,sphere_cap@4,sphere_cap@5,phong@2,phong@3,phong@4,phong@5,spherical_gaussian@2,spherical_gaussian@3,spherical_gaussian@4,spherical_gaussian@5,project_sphere@2,project_sphere@3,project_sphere@4,project_sphere@5,product@2,product@3,product_colour@2,product_colour@3,triple_product@2,triple_product@3
+// 86 functions, 5759 operations. Written by zonal-glsl: do not edit.
 
 #ifndef ZONAL_EVALUATE_2
 #define ZONAL_EVALUATE_2
@@ -2612,5 +2612,238 @@ void zonal_project_sphere_5(highp vec3 center, highp float radius, highp vec3 re
   sh[22] = t39 * (t41 * t29);
   sh[23] = t39 * (t40 * t38);
   sh[24] = t39 * (0.6258357f * (t17 * t38 - t15 * t34));
+}
+#endif
+
+#ifndef ZONAL_PRODUCT_2
+#define ZONAL_PRODUCT_2
+// The product of two functions, of which the first bands are kept.
+// 22 operations: 6 additions, 16 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_product_2(in highp float a[4], in highp float b[4], out highp float result[4]) {
+  highp float t0 = a[0] * b[0] * 0.2820948f + a[2] * b[2] * 0.2820948f + (a[3] * b[3] + a[1] * b[1]) * 0.2820948f;
+  result[0] = t0;
+  result[1] = (a[1] * b[0] + a[0] * b[1]) * 0.2820948f;
+  result[2] = (a[2] * b[0] + a[0] * b[2]) * 0.2820948f;
+  result[3] = (a[3] * b[0] + a[0] * b[3]) * 0.2820948f;
+}
+#endif
+
+#ifndef ZONAL_PRODUCT_3
+#define ZONAL_PRODUCT_3
+// The product of two functions, of which the first bands are kept.
+// 181 operations: 71 additions, 110 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_product_3(in highp float a[9], in highp float b[9], out highp float result[9]) {
+  highp float t0 = a[2] * b[2];
+  highp float t1 = a[6] * b[6];
+  highp float t2 = a[3] * b[3];
+  highp float t3 = a[1] * b[1];
+  highp float t4 = t2 + t3;
+  highp float t5 = a[0] * b[0] * 0.2820948f + t0 * 0.2820948f + t1 * 0.2820948f + t4 * 0.2820948f;
+  highp float t6 = a[7] * b[7];
+  highp float t7 = a[5] * b[5];
+  highp float t8 = t6 + t7;
+  highp float t9 = a[8] * b[8] + a[4] * b[4];
+  result[0] = t5 + t8 * 0.2820948f + t9 * 0.2820948f;
+  highp float t10 = (a[1] * b[0] + a[0] * b[1]) * 0.2820948f + (a[1] * b[6] + a[6] * b[1]) * -0.12615663f;
+  highp float t11 = t10 + (a[5] * b[2] + a[2] * b[5]) * 0.21850969f + (a[4] * b[3] + a[3] * b[4] - (a[8] * b[1] + a[1] * b[8])) * 0.21850969f;
+  result[1] = t11;
+  highp float t12 = (a[2] * b[0] + a[0] * b[2]) * 0.2820948f + (a[6] * b[2] + a[2] * b[6]) * 0.25231326f;
+  highp float t13 = t12 + (a[7] * b[3] + a[3] * b[7] + (a[5] * b[1] + a[1] * b[5])) * 0.21850969f;
+  result[2] = t13;
+  highp float t14 = (a[3] * b[0] + a[0] * b[3]) * 0.2820948f + (a[3] * b[6] + a[6] * b[3]) * -0.12615663f;
+  highp float t15 = t14 + (a[7] * b[2] + a[2] * b[7]) * 0.21850969f + (a[8] * b[3] + a[3] * b[8] + (a[4] * b[1] + a[1] * b[4])) * 0.21850969f;
+  result[3] = t15;
+  highp float t16 = (a[1] * b[3] + a[3] * b[1]) * 0.21850969f + (a[5] * b[7] + a[7] * b[5]) * 0.15607835f;
+  highp float t17 = t16 + (a[4] * b[0] + a[0] * b[4]) * 0.2820948f + (a[4] * b[6] + a[6] * b[4]) * -0.18022375f;
+  result[4] = t17;
+  highp float t18 = (a[1] * b[2] + a[2] * b[1]) * 0.21850969f + (a[5] * b[0] + a[0] * b[5]) * 0.2820948f;
+  highp float t19 = t18 + (a[5] * b[6] + a[6] * b[5]) * 0.090111874f + (a[4] * b[7] + a[7] * b[4] - (a[8] * b[5] + a[5] * b[8])) * 0.15607835f;
+  result[5] = t19;
+  highp float t20 = t0 * 0.25231326f + (a[6] * b[0] + a[0] * b[6]) * 0.2820948f + t1 * 0.18022375f;
+  result[6] = t20 + t4 * -0.12615663f + t8 * 0.090111874f + t9 * -0.18022375f;
+  highp float t21 = (a[3] * b[2] + a[2] * b[3]) * 0.21850969f + (a[7] * b[0] + a[0] * b[7]) * 0.2820948f;
+  highp float t22 = t21 + (a[7] * b[6] + a[6] * b[7]) * 0.090111874f + (a[8] * b[7] + a[7] * b[8] + (a[4] * b[5] + a[5] * b[4])) * 0.15607835f;
+  result[7] = t22;
+  highp float t23 = (t2 - t3) * 0.21850969f + (t6 - t7) * 0.15607835f + (a[8] * b[0] + a[0] * b[8]) * 0.2820948f;
+  result[8] = t23 + (a[8] * b[6] + a[6] * b[8]) * -0.18022375f;
+}
+#endif
+
+#ifndef ZONAL_PRODUCT_COLOUR_2
+#define ZONAL_PRODUCT_COLOUR_2
+// The product of two functions, of which the first bands are kept. For colours.
+// 66 operations: 18 additions, 48 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_product_colour_2(in highp vec3 a[4], in highp float b[4], out highp vec3 result[4]) {
+  highp float t0 = a[0].x * b[0] * 0.2820948f + a[2].x * b[2] * 0.2820948f + (a[3].x * b[3] + a[1].x * b[1]) * 0.2820948f;
+  result[0].x = t0;
+  highp float t1 = a[0].y * b[0] * 0.2820948f + a[2].y * b[2] * 0.2820948f + (a[3].y * b[3] + a[1].y * b[1]) * 0.2820948f;
+  result[0].y = t1;
+  highp float t2 = a[0].z * b[0] * 0.2820948f + a[2].z * b[2] * 0.2820948f + (a[3].z * b[3] + a[1].z * b[1]) * 0.2820948f;
+  result[0].z = t2;
+  result[1].x = (a[1].x * b[0] + a[0].x * b[1]) * 0.2820948f;
+  result[1].y = (a[1].y * b[0] + a[0].y * b[1]) * 0.2820948f;
+  result[1].z = (a[1].z * b[0] + a[0].z * b[1]) * 0.2820948f;
+  result[2].x = (a[2].x * b[0] + a[0].x * b[2]) * 0.2820948f;
+  result[2].y = (a[2].y * b[0] + a[0].y * b[2]) * 0.2820948f;
+  result[2].z = (a[2].z * b[0] + a[0].z * b[2]) * 0.2820948f;
+  result[3].x = (a[3].x * b[0] + a[0].x * b[3]) * 0.2820948f;
+  result[3].y = (a[3].y * b[0] + a[0].y * b[3]) * 0.2820948f;
+  result[3].z = (a[3].z * b[0] + a[0].z * b[3]) * 0.2820948f;
+}
+#endif
+
+#ifndef ZONAL_PRODUCT_COLOUR_3
+#define ZONAL_PRODUCT_COLOUR_3
+// The product of two functions, of which the first bands are kept. For colours.
+// 543 operations: 213 additions, 330 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+void zonal_product_colour_3(in highp vec3 a[9], in highp float b[9], out highp vec3 result[9]) {
+  highp float t0 = a[2].x * b[2];
+  highp float t1 = a[6].x * b[6];
+  highp float t2 = a[3].x * b[3];
+  highp float t3 = a[1].x * b[1];
+  highp float t4 = t2 + t3;
+  highp float t5 = a[0].x * b[0] * 0.2820948f + t0 * 0.2820948f + t1 * 0.2820948f + t4 * 0.2820948f;
+  highp float t6 = a[7].x * b[7];
+  highp float t7 = a[5].x * b[5];
+  highp float t8 = t6 + t7;
+  highp float t9 = a[8].x * b[8] + a[4].x * b[4];
+  result[0].x = t5 + t8 * 0.2820948f + t9 * 0.2820948f;
+  highp float t10 = a[2].y * b[2];
+  highp float t11 = a[6].y * b[6];
+  highp float t12 = a[3].y * b[3];
+  highp float t13 = a[1].y * b[1];
+  highp float t14 = t12 + t13;
+  highp float t15 = a[0].y * b[0] * 0.2820948f + t10 * 0.2820948f + t11 * 0.2820948f + t14 * 0.2820948f;
+  highp float t16 = a[7].y * b[7];
+  highp float t17 = a[5].y * b[5];
+  highp float t18 = t16 + t17;
+  highp float t19 = a[8].y * b[8] + a[4].y * b[4];
+  result[0].y = t15 + t18 * 0.2820948f + t19 * 0.2820948f;
+  highp float t20 = a[2].z * b[2];
+  highp float t21 = a[6].z * b[6];
+  highp float t22 = a[3].z * b[3];
+  highp float t23 = a[1].z * b[1];
+  highp float t24 = t22 + t23;
+  highp float t25 = a[0].z * b[0] * 0.2820948f + t20 * 0.2820948f + t21 * 0.2820948f + t24 * 0.2820948f;
+  highp float t26 = a[7].z * b[7];
+  highp float t27 = a[5].z * b[5];
+  highp float t28 = t26 + t27;
+  highp float t29 = a[8].z * b[8] + a[4].z * b[4];
+  result[0].z = t25 + t28 * 0.2820948f + t29 * 0.2820948f;
+  highp float t30 = (a[1].x * b[0] + a[0].x * b[1]) * 0.2820948f + (a[1].x * b[6] + a[6].x * b[1]) * -0.12615663f;
+  highp float t31 = (a[4].x * b[3] + a[3].x * b[4] - (a[8].x * b[1] + a[1].x * b[8])) * 0.21850969f;
+  result[1].x = t30 + (a[5].x * b[2] + a[2].x * b[5]) * 0.21850969f + t31;
+  highp float t32 = (a[1].y * b[0] + a[0].y * b[1]) * 0.2820948f + (a[1].y * b[6] + a[6].y * b[1]) * -0.12615663f;
+  highp float t33 = (a[4].y * b[3] + a[3].y * b[4] - (a[8].y * b[1] + a[1].y * b[8])) * 0.21850969f;
+  result[1].y = t32 + (a[5].y * b[2] + a[2].y * b[5]) * 0.21850969f + t33;
+  highp float t34 = (a[1].z * b[0] + a[0].z * b[1]) * 0.2820948f + (a[1].z * b[6] + a[6].z * b[1]) * -0.12615663f;
+  highp float t35 = (a[4].z * b[3] + a[3].z * b[4] - (a[8].z * b[1] + a[1].z * b[8])) * 0.21850969f;
+  result[1].z = t34 + (a[5].z * b[2] + a[2].z * b[5]) * 0.21850969f + t35;
+  highp float t36 = (a[2].x * b[0] + a[0].x * b[2]) * 0.2820948f + (a[6].x * b[2] + a[2].x * b[6]) * 0.25231326f;
+  highp float t37 = (a[7].x * b[3] + a[3].x * b[7] + (a[5].x * b[1] + a[1].x * b[5])) * 0.21850969f;
+  result[2].x = t36 + t37;
+  highp float t38 = (a[2].y * b[0] + a[0].y * b[2]) * 0.2820948f + (a[6].y * b[2] + a[2].y * b[6]) * 0.25231326f;
+  highp float t39 = (a[7].y * b[3] + a[3].y * b[7] + (a[5].y * b[1] + a[1].y * b[5])) * 0.21850969f;
+  result[2].y = t38 + t39;
+  highp float t40 = (a[2].z * b[0] + a[0].z * b[2]) * 0.2820948f + (a[6].z * b[2] + a[2].z * b[6]) * 0.25231326f;
+  highp float t41 = (a[7].z * b[3] + a[3].z * b[7] + (a[5].z * b[1] + a[1].z * b[5])) * 0.21850969f;
+  result[2].z = t40 + t41;
+  highp float t42 = (a[3].x * b[0] + a[0].x * b[3]) * 0.2820948f + (a[3].x * b[6] + a[6].x * b[3]) * -0.12615663f;
+  highp float t43 = (a[8].x * b[3] + a[3].x * b[8] + (a[4].x * b[1] + a[1].x * b[4])) * 0.21850969f;
+  result[3].x = t42 + (a[7].x * b[2] + a[2].x * b[7]) * 0.21850969f + t43;
+  highp float t44 = (a[3].y * b[0] + a[0].y * b[3]) * 0.2820948f + (a[3].y * b[6] + a[6].y * b[3]) * -0.12615663f;
+  highp float t45 = (a[8].y * b[3] + a[3].y * b[8] + (a[4].y * b[1] + a[1].y * b[4])) * 0.21850969f;
+  result[3].y = t44 + (a[7].y * b[2] + a[2].y * b[7]) * 0.21850969f + t45;
+  highp float t46 = (a[3].z * b[0] + a[0].z * b[3]) * 0.2820948f + (a[3].z * b[6] + a[6].z * b[3]) * -0.12615663f;
+  highp float t47 = (a[8].z * b[3] + a[3].z * b[8] + (a[4].z * b[1] + a[1].z * b[4])) * 0.21850969f;
+  result[3].z = t46 + (a[7].z * b[2] + a[2].z * b[7]) * 0.21850969f + t47;
+  highp float t48 = (a[1].x * b[3] + a[3].x * b[1]) * 0.21850969f + (a[5].x * b[7] + a[7].x * b[5]) * 0.15607835f;
+  highp float t49 = t48 + (a[4].x * b[0] + a[0].x * b[4]) * 0.2820948f + (a[4].x * b[6] + a[6].x * b[4]) * -0.18022375f;
+  result[4].x = t49;
+  highp float t50 = (a[1].y * b[3] + a[3].y * b[1]) * 0.21850969f + (a[5].y * b[7] + a[7].y * b[5]) * 0.15607835f;
+  highp float t51 = t50 + (a[4].y * b[0] + a[0].y * b[4]) * 0.2820948f + (a[4].y * b[6] + a[6].y * b[4]) * -0.18022375f;
+  result[4].y = t51;
+  highp float t52 = (a[1].z * b[3] + a[3].z * b[1]) * 0.21850969f + (a[5].z * b[7] + a[7].z * b[5]) * 0.15607835f;
+  highp float t53 = t52 + (a[4].z * b[0] + a[0].z * b[4]) * 0.2820948f + (a[4].z * b[6] + a[6].z * b[4]) * -0.18022375f;
+  result[4].z = t53;
+  highp float t54 = (a[1].x * b[2] + a[2].x * b[1]) * 0.21850969f + (a[5].x * b[0] + a[0].x * b[5]) * 0.2820948f;
+  highp float t55 = (a[4].x * b[7] + a[7].x * b[4] - (a[8].x * b[5] + a[5].x * b[8])) * 0.15607835f;
+  result[5].x = t54 + (a[5].x * b[6] + a[6].x * b[5]) * 0.090111874f + t55;
+  highp float t56 = (a[1].y * b[2] + a[2].y * b[1]) * 0.21850969f + (a[5].y * b[0] + a[0].y * b[5]) * 0.2820948f;
+  highp float t57 = (a[4].y * b[7] + a[7].y * b[4] - (a[8].y * b[5] + a[5].y * b[8])) * 0.15607835f;
+  result[5].y = t56 + (a[5].y * b[6] + a[6].y * b[5]) * 0.090111874f + t57;
+  highp float t58 = (a[1].z * b[2] + a[2].z * b[1]) * 0.21850969f + (a[5].z * b[0] + a[0].z * b[5]) * 0.2820948f;
+  highp float t59 = (a[4].z * b[7] + a[7].z * b[4] - (a[8].z * b[5] + a[5].z * b[8])) * 0.15607835f;
+  result[5].z = t58 + (a[5].z * b[6] + a[6].z * b[5]) * 0.090111874f + t59;
+  highp float t60 = t0 * 0.25231326f + (a[6].x * b[0] + a[0].x * b[6]) * 0.2820948f + t1 * 0.18022375f;
+  result[6].x = t60 + t4 * -0.12615663f + t8 * 0.090111874f + t9 * -0.18022375f;
+  highp float t61 = t10 * 0.25231326f + (a[6].y * b[0] + a[0].y * b[6]) * 0.2820948f + t11 * 0.18022375f;
+  result[6].y = t61 + t14 * -0.12615663f + t18 * 0.090111874f + t19 * -0.18022375f;
+  highp float t62 = t20 * 0.25231326f + (a[6].z * b[0] + a[0].z * b[6]) * 0.2820948f + t21 * 0.18022375f;
+  result[6].z = t62 + t24 * -0.12615663f + t28 * 0.090111874f + t29 * -0.18022375f;
+  highp float t63 = (a[3].x * b[2] + a[2].x * b[3]) * 0.21850969f + (a[7].x * b[0] + a[0].x * b[7]) * 0.2820948f;
+  highp float t64 = (a[8].x * b[7] + a[7].x * b[8] + (a[4].x * b[5] + a[5].x * b[4])) * 0.15607835f;
+  result[7].x = t63 + (a[7].x * b[6] + a[6].x * b[7]) * 0.090111874f + t64;
+  highp float t65 = (a[3].y * b[2] + a[2].y * b[3]) * 0.21850969f + (a[7].y * b[0] + a[0].y * b[7]) * 0.2820948f;
+  highp float t66 = (a[8].y * b[7] + a[7].y * b[8] + (a[4].y * b[5] + a[5].y * b[4])) * 0.15607835f;
+  result[7].y = t65 + (a[7].y * b[6] + a[6].y * b[7]) * 0.090111874f + t66;
+  highp float t67 = (a[3].z * b[2] + a[2].z * b[3]) * 0.21850969f + (a[7].z * b[0] + a[0].z * b[7]) * 0.2820948f;
+  highp float t68 = (a[8].z * b[7] + a[7].z * b[8] + (a[4].z * b[5] + a[5].z * b[4])) * 0.15607835f;
+  result[7].z = t67 + (a[7].z * b[6] + a[6].z * b[7]) * 0.090111874f + t68;
+  highp float t69 = (t2 - t3) * 0.21850969f + (t6 - t7) * 0.15607835f + (a[8].x * b[0] + a[0].x * b[8]) * 0.2820948f;
+  result[8].x = t69 + (a[8].x * b[6] + a[6].x * b[8]) * -0.18022375f;
+  highp float t70 = (t12 - t13) * 0.21850969f + (t16 - t17) * 0.15607835f + (a[8].y * b[0] + a[0].y * b[8]) * 0.2820948f;
+  result[8].y = t70 + (a[8].y * b[6] + a[6].y * b[8]) * -0.18022375f;
+  highp float t71 = (t22 - t23) * 0.21850969f + (t26 - t27) * 0.15607835f + (a[8].z * b[0] + a[0].z * b[8]) * 0.2820948f;
+  result[8].z = t71 + (a[8].z * b[6] + a[6].z * b[8]) * -0.18022375f;
+}
+#endif
+
+#ifndef ZONAL_TRIPLE_PRODUCT_2
+#define ZONAL_TRIPLE_PRODUCT_2
+// The integral of the product of three functions.
+// 29 operations: 9 additions, 20 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+highp float zonal_triple_product_2(in highp float a[4], in highp float b[4], in highp float c[4]) {
+  highp float t0 = a[0] * b[0] * 0.2820948f + a[2] * b[2] * 0.2820948f + (a[3] * b[3] + a[1] * b[1]) * 0.2820948f;
+  highp float t1 = (a[2] * b[0] + a[0] * b[2]) * 0.2820948f * c[2] + (a[3] * b[0] + a[0] * b[3]) * 0.2820948f * c[3];
+  highp float value = t0 * c[0] + (a[1] * b[0] + a[0] * b[1]) * 0.2820948f * c[1] + t1;
+  return value;
+}
+#endif
+
+#ifndef ZONAL_TRIPLE_PRODUCT_3
+#define ZONAL_TRIPLE_PRODUCT_3
+// The integral of the product of three functions.
+// 198 operations: 79 additions, 119 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+highp float zonal_triple_product_3(in highp float a[9], in highp float b[9], in highp float c[9]) {
+  highp float t0 = a[2] * b[2];
+  highp float t1 = a[6] * b[6];
+  highp float t2 = a[3] * b[3];
+  highp float t3 = a[1] * b[1];
+  highp float t4 = t2 + t3;
+  highp float t5 = a[0] * b[0] * 0.2820948f + t0 * 0.2820948f + t1 * 0.2820948f + t4 * 0.2820948f;
+  highp float t6 = a[7] * b[7];
+  highp float t7 = a[5] * b[5];
+  highp float t8 = t6 + t7;
+  highp float t9 = a[8] * b[8] + a[4] * b[4];
+  highp float t10 = (a[1] * b[3] + a[3] * b[1]) * 0.21850969f + (a[5] * b[7] + a[7] * b[5]) * 0.15607835f;
+  highp float t11 = t10 + (a[4] * b[0] + a[0] * b[4]) * 0.2820948f + (a[4] * b[6] + a[6] * b[4]) * -0.18022375f;
+  highp float t12 = (t2 - t3) * 0.21850969f + (t6 - t7) * 0.15607835f + (a[8] * b[0] + a[0] * b[8]) * 0.2820948f;
+  highp float t13 = (t5 + t8 * 0.2820948f + t9 * 0.2820948f) * c[0] + t11 * c[4] + (t12 + (a[8] * b[6] + a[6] * b[8]) * -0.18022375f) * c[8];
+  highp float t14 = (a[1] * b[0] + a[0] * b[1]) * 0.2820948f + (a[1] * b[6] + a[6] * b[1]) * -0.12615663f;
+  highp float t15 = t14 + (a[5] * b[2] + a[2] * b[5]) * 0.21850969f + (a[4] * b[3] + a[3] * b[4] - (a[8] * b[1] + a[1] * b[8])) * 0.21850969f;
+  highp float t16 = (a[1] * b[2] + a[2] * b[1]) * 0.21850969f + (a[5] * b[0] + a[0] * b[5]) * 0.2820948f;
+  highp float t17 = t16 + (a[5] * b[6] + a[6] * b[5]) * 0.090111874f + (a[4] * b[7] + a[7] * b[4] - (a[8] * b[5] + a[5] * b[8])) * 0.15607835f;
+  highp float t18 = (a[2] * b[0] + a[0] * b[2]) * 0.2820948f + (a[6] * b[2] + a[2] * b[6]) * 0.25231326f;
+  highp float t19 = t18 + (a[7] * b[3] + a[3] * b[7] + (a[5] * b[1] + a[1] * b[5])) * 0.21850969f;
+  highp float t20 = t0 * 0.25231326f + (a[6] * b[0] + a[0] * b[6]) * 0.2820948f + t1 * 0.18022375f;
+  highp float t21 = (t20 + t4 * -0.12615663f + t8 * 0.090111874f + t9 * -0.18022375f) * c[6];
+  highp float t22 = (a[3] * b[0] + a[0] * b[3]) * 0.2820948f + (a[3] * b[6] + a[6] * b[3]) * -0.12615663f;
+  highp float t23 = t22 + (a[7] * b[2] + a[2] * b[7]) * 0.21850969f + (a[8] * b[3] + a[3] * b[8] + (a[4] * b[1] + a[1] * b[4])) * 0.21850969f;
+  highp float t24 = (a[3] * b[2] + a[2] * b[3]) * 0.21850969f + (a[7] * b[0] + a[0] * b[7]) * 0.2820948f;
+  highp float t25 = t24 + (a[7] * b[6] + a[6] * b[7]) * 0.090111874f + (a[8] * b[7] + a[7] * b[8] + (a[4] * b[5] + a[5] * b[4])) * 0.15607835f;
+  highp float t26 = t13 + (t15 * c[1] + t17 * c[5]) + (t19 * c[2] + t21 + (t23 * c[3] + t25 * c[7]));
+  highp float value = t26;
+  return value;
 }
 #endif

@@ -1,5 +1,5 @@
-// zonal 0.2.0, C++ and CUDA. --bands 5 --functions evaluate@2,evaluate@3,evaluate@4,evaluate@5,evaluate_with_gradient@2,evaluate_with_gradient@3,evaluate_with_gradient@4,evaluate_with_gradient@5,reconstruct@2,reconstruct@3,reconstruct@4,reconstruct@5,reconstruct_colour@2,reconstruct_colour@3,reconstruct_colour@4,reconstruct_colour@5,reconstruct_lambert@2,reconstruct_lambert@3,reconstruct_lambert@4,reconstruct_lambert@5,reconstruct_lambert_colour@2,reconstruct_lambert_colour@3,reconstruct_lambert_colour@4,reconstruct_lambert_colour@5,orient@2,orient@3,orient@4,orient@5,orient_colour@2,orient_colour@3,orient_colour@4,orient_colour@5,dot@2,dot@3,dot@4,dot@5,dot_colour@2,dot_colour@3,dot_colour@4,dot_colour@5,dot_colours@2,dot_colours@3,dot_colours@4,dot_colours@5,convolve@2,convolve@3,convolve@4,convolve@5,convolve_colour@2,convolve_colour@3,convolve_colour@4,convolve_colour@5,lambert@2,lambert@3,lambert@4,lambert@5,cap@2,cap@3,cap@4,cap@5,cap_up_to_hemisphere@2,cap_up_to_hemisphere@3,cap_up_to_hemisphere@4,cap_up_to_hemisphere@5,sphere_cap@2,sphere_cap@3,sphere_cap@4,sphere_cap@5,phong@2,phong@3,phong@4,phong@5,spherical_gaussian@2,spherical_gaussian@3,spherical_gaussian@4,spherical_gaussian@5,project_sphere@2,project_sphere@3,project_sphere@4,project_sphere@5
-// 80 functions, 4720 operations. Written by zonal-glsl: do not edit.
+// zonal 0.2.0, C++ and CUDA. --bands 5 --functions evaluate@2,evaluate@3,evaluate@4,evaluate@5,evaluate_with_gradient@2,evaluate_with_gradient@3,evaluate_with_gradient@4,evaluate_with_gradient@5,reconstruct@2,reconstruct@3,reconstruct@4,reconstruct@5,reconstruct_colour@2,reconstruct_colour@3,reconstruct_colour@4,reconstruct_colour@5,reconstruct_lambert@2,reconstruct_lambert@3,reconstruct_lambert@4,reconstruct_lambert@5,reconstruct_lambert_colour@2,reconstruct_lambert_colour@3,reconstruct_lambert_colour@4,reconstruct_lambert_colour@5,orient@2,orient@3,orient@4,orient@5,orient_colour@2,orient_colour@3,orient_colour@4,orient_colour@5,dot@2,dot@3,dot@4,dot@5,dot_colour@2,dot_colour@3,dot_colour@4,dot_colour@5,dot_colours@2,dot_colours@3,dot_colours@4,dot_colours@5,convolve@2,convolve@3,convolve@4,convolve@5,convolve_colour@2,convolve_colour@3,convolve_colour@4,convolve_colour@5,lambert@2,lambert@3,lambert@4,lambert@5,cap@2,cap@3,cap@4,cap@5,cap_up_to_hemisphere@2,cap_up_to_hemisphere@3,cap_up_to_hemisphere@4,cap_up_to_hemisphere@5,sphere_cap@2,sphere_cap@3,sphere_cap@4,sphere_cap@5,phong@2,phong@3,phong@4,phong@5,spherical_gaussian@2,spherical_gaussian@3,spherical_gaussian@4,spherical_gaussian@5,project_sphere@2,project_sphere@3,project_sphere@4,project_sphere@5,product@2,product@3,product_colour@2,product_colour@3,triple_product@2,triple_product@3
+// 86 functions, 5759 operations. Written by zonal-glsl: do not edit.
 #include <math.h>
 #ifndef ZONAL_FUNCTION
 #ifdef __CUDACC__
@@ -2698,5 +2698,238 @@ ZONAL_FUNCTION void zonal_project_sphere_5(const float (&center)[3], float radiu
   sh[22] = t47 * (t49 * t37);
   sh[23] = t47 * (t48 * t46);
   sh[24] = t47 * (0.6258357f * (t25 * t46 - t23 * t42));
+}
+#endif
+
+#ifndef ZONAL_PRODUCT_2
+#define ZONAL_PRODUCT_2
+// The product of two functions, of which the first bands are kept.
+// 22 operations: 6 additions, 16 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+ZONAL_FUNCTION void zonal_product_2(const float (&a)[4], const float (&b)[4], float (&result)[4]) {
+  const float t0 = a[0] * b[0] * 0.2820948f + a[2] * b[2] * 0.2820948f + (a[3] * b[3] + a[1] * b[1]) * 0.2820948f;
+  result[0] = t0;
+  result[1] = (a[1] * b[0] + a[0] * b[1]) * 0.2820948f;
+  result[2] = (a[2] * b[0] + a[0] * b[2]) * 0.2820948f;
+  result[3] = (a[3] * b[0] + a[0] * b[3]) * 0.2820948f;
+}
+#endif
+
+#ifndef ZONAL_PRODUCT_3
+#define ZONAL_PRODUCT_3
+// The product of two functions, of which the first bands are kept.
+// 181 operations: 71 additions, 110 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+ZONAL_FUNCTION void zonal_product_3(const float (&a)[9], const float (&b)[9], float (&result)[9]) {
+  const float t0 = a[2] * b[2];
+  const float t1 = a[6] * b[6];
+  const float t2 = a[3] * b[3];
+  const float t3 = a[1] * b[1];
+  const float t4 = t2 + t3;
+  const float t5 = a[0] * b[0] * 0.2820948f + t0 * 0.2820948f + t1 * 0.2820948f + t4 * 0.2820948f;
+  const float t6 = a[7] * b[7];
+  const float t7 = a[5] * b[5];
+  const float t8 = t6 + t7;
+  const float t9 = a[8] * b[8] + a[4] * b[4];
+  result[0] = t5 + t8 * 0.2820948f + t9 * 0.2820948f;
+  const float t10 = (a[1] * b[0] + a[0] * b[1]) * 0.2820948f + (a[1] * b[6] + a[6] * b[1]) * -0.12615663f;
+  const float t11 = t10 + (a[5] * b[2] + a[2] * b[5]) * 0.21850969f + (a[4] * b[3] + a[3] * b[4] - (a[8] * b[1] + a[1] * b[8])) * 0.21850969f;
+  result[1] = t11;
+  const float t12 = (a[2] * b[0] + a[0] * b[2]) * 0.2820948f + (a[6] * b[2] + a[2] * b[6]) * 0.25231326f;
+  const float t13 = t12 + (a[7] * b[3] + a[3] * b[7] + (a[5] * b[1] + a[1] * b[5])) * 0.21850969f;
+  result[2] = t13;
+  const float t14 = (a[3] * b[0] + a[0] * b[3]) * 0.2820948f + (a[3] * b[6] + a[6] * b[3]) * -0.12615663f;
+  const float t15 = t14 + (a[7] * b[2] + a[2] * b[7]) * 0.21850969f + (a[8] * b[3] + a[3] * b[8] + (a[4] * b[1] + a[1] * b[4])) * 0.21850969f;
+  result[3] = t15;
+  const float t16 = (a[1] * b[3] + a[3] * b[1]) * 0.21850969f + (a[5] * b[7] + a[7] * b[5]) * 0.15607835f;
+  const float t17 = t16 + (a[4] * b[0] + a[0] * b[4]) * 0.2820948f + (a[4] * b[6] + a[6] * b[4]) * -0.18022375f;
+  result[4] = t17;
+  const float t18 = (a[1] * b[2] + a[2] * b[1]) * 0.21850969f + (a[5] * b[0] + a[0] * b[5]) * 0.2820948f;
+  const float t19 = t18 + (a[5] * b[6] + a[6] * b[5]) * 0.090111874f + (a[4] * b[7] + a[7] * b[4] - (a[8] * b[5] + a[5] * b[8])) * 0.15607835f;
+  result[5] = t19;
+  const float t20 = t0 * 0.25231326f + (a[6] * b[0] + a[0] * b[6]) * 0.2820948f + t1 * 0.18022375f;
+  result[6] = t20 + t4 * -0.12615663f + t8 * 0.090111874f + t9 * -0.18022375f;
+  const float t21 = (a[3] * b[2] + a[2] * b[3]) * 0.21850969f + (a[7] * b[0] + a[0] * b[7]) * 0.2820948f;
+  const float t22 = t21 + (a[7] * b[6] + a[6] * b[7]) * 0.090111874f + (a[8] * b[7] + a[7] * b[8] + (a[4] * b[5] + a[5] * b[4])) * 0.15607835f;
+  result[7] = t22;
+  const float t23 = (t2 - t3) * 0.21850969f + (t6 - t7) * 0.15607835f + (a[8] * b[0] + a[0] * b[8]) * 0.2820948f;
+  result[8] = t23 + (a[8] * b[6] + a[6] * b[8]) * -0.18022375f;
+}
+#endif
+
+#ifndef ZONAL_PRODUCT_COLOUR_2
+#define ZONAL_PRODUCT_COLOUR_2
+// The product of two functions, of which the first bands are kept. For colours.
+// 66 operations: 18 additions, 48 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+ZONAL_FUNCTION void zonal_product_colour_2(const float (&a)[4][3], const float (&b)[4], float (&result)[4][3]) {
+  const float t0 = a[0][0] * b[0] * 0.2820948f + a[2][0] * b[2] * 0.2820948f + (a[3][0] * b[3] + a[1][0] * b[1]) * 0.2820948f;
+  result[0][0] = t0;
+  const float t1 = a[0][1] * b[0] * 0.2820948f + a[2][1] * b[2] * 0.2820948f + (a[3][1] * b[3] + a[1][1] * b[1]) * 0.2820948f;
+  result[0][1] = t1;
+  const float t2 = a[0][2] * b[0] * 0.2820948f + a[2][2] * b[2] * 0.2820948f + (a[3][2] * b[3] + a[1][2] * b[1]) * 0.2820948f;
+  result[0][2] = t2;
+  result[1][0] = (a[1][0] * b[0] + a[0][0] * b[1]) * 0.2820948f;
+  result[1][1] = (a[1][1] * b[0] + a[0][1] * b[1]) * 0.2820948f;
+  result[1][2] = (a[1][2] * b[0] + a[0][2] * b[1]) * 0.2820948f;
+  result[2][0] = (a[2][0] * b[0] + a[0][0] * b[2]) * 0.2820948f;
+  result[2][1] = (a[2][1] * b[0] + a[0][1] * b[2]) * 0.2820948f;
+  result[2][2] = (a[2][2] * b[0] + a[0][2] * b[2]) * 0.2820948f;
+  result[3][0] = (a[3][0] * b[0] + a[0][0] * b[3]) * 0.2820948f;
+  result[3][1] = (a[3][1] * b[0] + a[0][1] * b[3]) * 0.2820948f;
+  result[3][2] = (a[3][2] * b[0] + a[0][2] * b[3]) * 0.2820948f;
+}
+#endif
+
+#ifndef ZONAL_PRODUCT_COLOUR_3
+#define ZONAL_PRODUCT_COLOUR_3
+// The product of two functions, of which the first bands are kept. For colours.
+// 543 operations: 213 additions, 330 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+ZONAL_FUNCTION void zonal_product_colour_3(const float (&a)[9][3], const float (&b)[9], float (&result)[9][3]) {
+  const float t0 = a[2][0] * b[2];
+  const float t1 = a[6][0] * b[6];
+  const float t2 = a[3][0] * b[3];
+  const float t3 = a[1][0] * b[1];
+  const float t4 = t2 + t3;
+  const float t5 = a[0][0] * b[0] * 0.2820948f + t0 * 0.2820948f + t1 * 0.2820948f + t4 * 0.2820948f;
+  const float t6 = a[7][0] * b[7];
+  const float t7 = a[5][0] * b[5];
+  const float t8 = t6 + t7;
+  const float t9 = a[8][0] * b[8] + a[4][0] * b[4];
+  result[0][0] = t5 + t8 * 0.2820948f + t9 * 0.2820948f;
+  const float t10 = a[2][1] * b[2];
+  const float t11 = a[6][1] * b[6];
+  const float t12 = a[3][1] * b[3];
+  const float t13 = a[1][1] * b[1];
+  const float t14 = t12 + t13;
+  const float t15 = a[0][1] * b[0] * 0.2820948f + t10 * 0.2820948f + t11 * 0.2820948f + t14 * 0.2820948f;
+  const float t16 = a[7][1] * b[7];
+  const float t17 = a[5][1] * b[5];
+  const float t18 = t16 + t17;
+  const float t19 = a[8][1] * b[8] + a[4][1] * b[4];
+  result[0][1] = t15 + t18 * 0.2820948f + t19 * 0.2820948f;
+  const float t20 = a[2][2] * b[2];
+  const float t21 = a[6][2] * b[6];
+  const float t22 = a[3][2] * b[3];
+  const float t23 = a[1][2] * b[1];
+  const float t24 = t22 + t23;
+  const float t25 = a[0][2] * b[0] * 0.2820948f + t20 * 0.2820948f + t21 * 0.2820948f + t24 * 0.2820948f;
+  const float t26 = a[7][2] * b[7];
+  const float t27 = a[5][2] * b[5];
+  const float t28 = t26 + t27;
+  const float t29 = a[8][2] * b[8] + a[4][2] * b[4];
+  result[0][2] = t25 + t28 * 0.2820948f + t29 * 0.2820948f;
+  const float t30 = (a[1][0] * b[0] + a[0][0] * b[1]) * 0.2820948f + (a[1][0] * b[6] + a[6][0] * b[1]) * -0.12615663f;
+  const float t31 = (a[4][0] * b[3] + a[3][0] * b[4] - (a[8][0] * b[1] + a[1][0] * b[8])) * 0.21850969f;
+  result[1][0] = t30 + (a[5][0] * b[2] + a[2][0] * b[5]) * 0.21850969f + t31;
+  const float t32 = (a[1][1] * b[0] + a[0][1] * b[1]) * 0.2820948f + (a[1][1] * b[6] + a[6][1] * b[1]) * -0.12615663f;
+  const float t33 = (a[4][1] * b[3] + a[3][1] * b[4] - (a[8][1] * b[1] + a[1][1] * b[8])) * 0.21850969f;
+  result[1][1] = t32 + (a[5][1] * b[2] + a[2][1] * b[5]) * 0.21850969f + t33;
+  const float t34 = (a[1][2] * b[0] + a[0][2] * b[1]) * 0.2820948f + (a[1][2] * b[6] + a[6][2] * b[1]) * -0.12615663f;
+  const float t35 = (a[4][2] * b[3] + a[3][2] * b[4] - (a[8][2] * b[1] + a[1][2] * b[8])) * 0.21850969f;
+  result[1][2] = t34 + (a[5][2] * b[2] + a[2][2] * b[5]) * 0.21850969f + t35;
+  const float t36 = (a[2][0] * b[0] + a[0][0] * b[2]) * 0.2820948f + (a[6][0] * b[2] + a[2][0] * b[6]) * 0.25231326f;
+  const float t37 = (a[7][0] * b[3] + a[3][0] * b[7] + (a[5][0] * b[1] + a[1][0] * b[5])) * 0.21850969f;
+  result[2][0] = t36 + t37;
+  const float t38 = (a[2][1] * b[0] + a[0][1] * b[2]) * 0.2820948f + (a[6][1] * b[2] + a[2][1] * b[6]) * 0.25231326f;
+  const float t39 = (a[7][1] * b[3] + a[3][1] * b[7] + (a[5][1] * b[1] + a[1][1] * b[5])) * 0.21850969f;
+  result[2][1] = t38 + t39;
+  const float t40 = (a[2][2] * b[0] + a[0][2] * b[2]) * 0.2820948f + (a[6][2] * b[2] + a[2][2] * b[6]) * 0.25231326f;
+  const float t41 = (a[7][2] * b[3] + a[3][2] * b[7] + (a[5][2] * b[1] + a[1][2] * b[5])) * 0.21850969f;
+  result[2][2] = t40 + t41;
+  const float t42 = (a[3][0] * b[0] + a[0][0] * b[3]) * 0.2820948f + (a[3][0] * b[6] + a[6][0] * b[3]) * -0.12615663f;
+  const float t43 = (a[8][0] * b[3] + a[3][0] * b[8] + (a[4][0] * b[1] + a[1][0] * b[4])) * 0.21850969f;
+  result[3][0] = t42 + (a[7][0] * b[2] + a[2][0] * b[7]) * 0.21850969f + t43;
+  const float t44 = (a[3][1] * b[0] + a[0][1] * b[3]) * 0.2820948f + (a[3][1] * b[6] + a[6][1] * b[3]) * -0.12615663f;
+  const float t45 = (a[8][1] * b[3] + a[3][1] * b[8] + (a[4][1] * b[1] + a[1][1] * b[4])) * 0.21850969f;
+  result[3][1] = t44 + (a[7][1] * b[2] + a[2][1] * b[7]) * 0.21850969f + t45;
+  const float t46 = (a[3][2] * b[0] + a[0][2] * b[3]) * 0.2820948f + (a[3][2] * b[6] + a[6][2] * b[3]) * -0.12615663f;
+  const float t47 = (a[8][2] * b[3] + a[3][2] * b[8] + (a[4][2] * b[1] + a[1][2] * b[4])) * 0.21850969f;
+  result[3][2] = t46 + (a[7][2] * b[2] + a[2][2] * b[7]) * 0.21850969f + t47;
+  const float t48 = (a[1][0] * b[3] + a[3][0] * b[1]) * 0.21850969f + (a[5][0] * b[7] + a[7][0] * b[5]) * 0.15607835f;
+  const float t49 = t48 + (a[4][0] * b[0] + a[0][0] * b[4]) * 0.2820948f + (a[4][0] * b[6] + a[6][0] * b[4]) * -0.18022375f;
+  result[4][0] = t49;
+  const float t50 = (a[1][1] * b[3] + a[3][1] * b[1]) * 0.21850969f + (a[5][1] * b[7] + a[7][1] * b[5]) * 0.15607835f;
+  const float t51 = t50 + (a[4][1] * b[0] + a[0][1] * b[4]) * 0.2820948f + (a[4][1] * b[6] + a[6][1] * b[4]) * -0.18022375f;
+  result[4][1] = t51;
+  const float t52 = (a[1][2] * b[3] + a[3][2] * b[1]) * 0.21850969f + (a[5][2] * b[7] + a[7][2] * b[5]) * 0.15607835f;
+  const float t53 = t52 + (a[4][2] * b[0] + a[0][2] * b[4]) * 0.2820948f + (a[4][2] * b[6] + a[6][2] * b[4]) * -0.18022375f;
+  result[4][2] = t53;
+  const float t54 = (a[1][0] * b[2] + a[2][0] * b[1]) * 0.21850969f + (a[5][0] * b[0] + a[0][0] * b[5]) * 0.2820948f;
+  const float t55 = (a[4][0] * b[7] + a[7][0] * b[4] - (a[8][0] * b[5] + a[5][0] * b[8])) * 0.15607835f;
+  result[5][0] = t54 + (a[5][0] * b[6] + a[6][0] * b[5]) * 0.090111874f + t55;
+  const float t56 = (a[1][1] * b[2] + a[2][1] * b[1]) * 0.21850969f + (a[5][1] * b[0] + a[0][1] * b[5]) * 0.2820948f;
+  const float t57 = (a[4][1] * b[7] + a[7][1] * b[4] - (a[8][1] * b[5] + a[5][1] * b[8])) * 0.15607835f;
+  result[5][1] = t56 + (a[5][1] * b[6] + a[6][1] * b[5]) * 0.090111874f + t57;
+  const float t58 = (a[1][2] * b[2] + a[2][2] * b[1]) * 0.21850969f + (a[5][2] * b[0] + a[0][2] * b[5]) * 0.2820948f;
+  const float t59 = (a[4][2] * b[7] + a[7][2] * b[4] - (a[8][2] * b[5] + a[5][2] * b[8])) * 0.15607835f;
+  result[5][2] = t58 + (a[5][2] * b[6] + a[6][2] * b[5]) * 0.090111874f + t59;
+  const float t60 = t0 * 0.25231326f + (a[6][0] * b[0] + a[0][0] * b[6]) * 0.2820948f + t1 * 0.18022375f;
+  result[6][0] = t60 + t4 * -0.12615663f + t8 * 0.090111874f + t9 * -0.18022375f;
+  const float t61 = t10 * 0.25231326f + (a[6][1] * b[0] + a[0][1] * b[6]) * 0.2820948f + t11 * 0.18022375f;
+  result[6][1] = t61 + t14 * -0.12615663f + t18 * 0.090111874f + t19 * -0.18022375f;
+  const float t62 = t20 * 0.25231326f + (a[6][2] * b[0] + a[0][2] * b[6]) * 0.2820948f + t21 * 0.18022375f;
+  result[6][2] = t62 + t24 * -0.12615663f + t28 * 0.090111874f + t29 * -0.18022375f;
+  const float t63 = (a[3][0] * b[2] + a[2][0] * b[3]) * 0.21850969f + (a[7][0] * b[0] + a[0][0] * b[7]) * 0.2820948f;
+  const float t64 = (a[8][0] * b[7] + a[7][0] * b[8] + (a[4][0] * b[5] + a[5][0] * b[4])) * 0.15607835f;
+  result[7][0] = t63 + (a[7][0] * b[6] + a[6][0] * b[7]) * 0.090111874f + t64;
+  const float t65 = (a[3][1] * b[2] + a[2][1] * b[3]) * 0.21850969f + (a[7][1] * b[0] + a[0][1] * b[7]) * 0.2820948f;
+  const float t66 = (a[8][1] * b[7] + a[7][1] * b[8] + (a[4][1] * b[5] + a[5][1] * b[4])) * 0.15607835f;
+  result[7][1] = t65 + (a[7][1] * b[6] + a[6][1] * b[7]) * 0.090111874f + t66;
+  const float t67 = (a[3][2] * b[2] + a[2][2] * b[3]) * 0.21850969f + (a[7][2] * b[0] + a[0][2] * b[7]) * 0.2820948f;
+  const float t68 = (a[8][2] * b[7] + a[7][2] * b[8] + (a[4][2] * b[5] + a[5][2] * b[4])) * 0.15607835f;
+  result[7][2] = t67 + (a[7][2] * b[6] + a[6][2] * b[7]) * 0.090111874f + t68;
+  const float t69 = (t2 - t3) * 0.21850969f + (t6 - t7) * 0.15607835f + (a[8][0] * b[0] + a[0][0] * b[8]) * 0.2820948f;
+  result[8][0] = t69 + (a[8][0] * b[6] + a[6][0] * b[8]) * -0.18022375f;
+  const float t70 = (t12 - t13) * 0.21850969f + (t16 - t17) * 0.15607835f + (a[8][1] * b[0] + a[0][1] * b[8]) * 0.2820948f;
+  result[8][1] = t70 + (a[8][1] * b[6] + a[6][1] * b[8]) * -0.18022375f;
+  const float t71 = (t22 - t23) * 0.21850969f + (t26 - t27) * 0.15607835f + (a[8][2] * b[0] + a[0][2] * b[8]) * 0.2820948f;
+  result[8][2] = t71 + (a[8][2] * b[6] + a[6][2] * b[8]) * -0.18022375f;
+}
+#endif
+
+#ifndef ZONAL_TRIPLE_PRODUCT_2
+#define ZONAL_TRIPLE_PRODUCT_2
+// The integral of the product of three functions.
+// 29 operations: 9 additions, 20 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+ZONAL_FUNCTION float zonal_triple_product_2(const float (&a)[4], const float (&b)[4], const float (&c)[4]) {
+  const float t0 = a[0] * b[0] * 0.2820948f + a[2] * b[2] * 0.2820948f + (a[3] * b[3] + a[1] * b[1]) * 0.2820948f;
+  const float t1 = (a[2] * b[0] + a[0] * b[2]) * 0.2820948f * c[2] + (a[3] * b[0] + a[0] * b[3]) * 0.2820948f * c[3];
+  const float value = t0 * c[0] + (a[1] * b[0] + a[0] * b[1]) * 0.2820948f * c[1] + t1;
+  return value;
+}
+#endif
+
+#ifndef ZONAL_TRIPLE_PRODUCT_3
+#define ZONAL_TRIPLE_PRODUCT_3
+// The integral of the product of three functions.
+// 198 operations: 79 additions, 119 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+ZONAL_FUNCTION float zonal_triple_product_3(const float (&a)[9], const float (&b)[9], const float (&c)[9]) {
+  const float t0 = a[2] * b[2];
+  const float t1 = a[6] * b[6];
+  const float t2 = a[3] * b[3];
+  const float t3 = a[1] * b[1];
+  const float t4 = t2 + t3;
+  const float t5 = a[0] * b[0] * 0.2820948f + t0 * 0.2820948f + t1 * 0.2820948f + t4 * 0.2820948f;
+  const float t6 = a[7] * b[7];
+  const float t7 = a[5] * b[5];
+  const float t8 = t6 + t7;
+  const float t9 = a[8] * b[8] + a[4] * b[4];
+  const float t10 = (a[1] * b[3] + a[3] * b[1]) * 0.21850969f + (a[5] * b[7] + a[7] * b[5]) * 0.15607835f;
+  const float t11 = t10 + (a[4] * b[0] + a[0] * b[4]) * 0.2820948f + (a[4] * b[6] + a[6] * b[4]) * -0.18022375f;
+  const float t12 = (t2 - t3) * 0.21850969f + (t6 - t7) * 0.15607835f + (a[8] * b[0] + a[0] * b[8]) * 0.2820948f;
+  const float t13 = (t5 + t8 * 0.2820948f + t9 * 0.2820948f) * c[0] + t11 * c[4] + (t12 + (a[8] * b[6] + a[6] * b[8]) * -0.18022375f) * c[8];
+  const float t14 = (a[1] * b[0] + a[0] * b[1]) * 0.2820948f + (a[1] * b[6] + a[6] * b[1]) * -0.12615663f;
+  const float t15 = t14 + (a[5] * b[2] + a[2] * b[5]) * 0.21850969f + (a[4] * b[3] + a[3] * b[4] - (a[8] * b[1] + a[1] * b[8])) * 0.21850969f;
+  const float t16 = (a[1] * b[2] + a[2] * b[1]) * 0.21850969f + (a[5] * b[0] + a[0] * b[5]) * 0.2820948f;
+  const float t17 = t16 + (a[5] * b[6] + a[6] * b[5]) * 0.090111874f + (a[4] * b[7] + a[7] * b[4] - (a[8] * b[5] + a[5] * b[8])) * 0.15607835f;
+  const float t18 = (a[2] * b[0] + a[0] * b[2]) * 0.2820948f + (a[6] * b[2] + a[2] * b[6]) * 0.25231326f;
+  const float t19 = t18 + (a[7] * b[3] + a[3] * b[7] + (a[5] * b[1] + a[1] * b[5])) * 0.21850969f;
+  const float t20 = t0 * 0.25231326f + (a[6] * b[0] + a[0] * b[6]) * 0.2820948f + t1 * 0.18022375f;
+  const float t21 = (t20 + t4 * -0.12615663f + t8 * 0.090111874f + t9 * -0.18022375f) * c[6];
+  const float t22 = (a[3] * b[0] + a[0] * b[3]) * 0.2820948f + (a[3] * b[6] + a[6] * b[3]) * -0.12615663f;
+  const float t23 = t22 + (a[7] * b[2] + a[2] * b[7]) * 0.21850969f + (a[8] * b[3] + a[3] * b[8] + (a[4] * b[1] + a[1] * b[4])) * 0.21850969f;
+  const float t24 = (a[3] * b[2] + a[2] * b[3]) * 0.21850969f + (a[7] * b[0] + a[0] * b[7]) * 0.2820948f;
+  const float t25 = t24 + (a[7] * b[6] + a[6] * b[7]) * 0.090111874f + (a[8] * b[7] + a[7] * b[8] + (a[4] * b[5] + a[5] * b[4])) * 0.15607835f;
+  const float t26 = t13 + (t15 * c[1] + t17 * c[5]) + (t19 * c[2] + t21 + (t23 * c[3] + t25 * c[7]));
+  const float value = t26;
+  return value;
 }
 #endif

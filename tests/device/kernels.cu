@@ -44,6 +44,8 @@ __global__ void transform_room(const zonal::Sh<5, float>* sh, const zonal::Zh<5,
                                float* out) {
   out[0] =
       total(zonal::orient(zh[0], d[0])) + total(zonal::convolve(sh[0], zh[0])) + total(zonal::convolve(zh[0], zh[1]));
+  out[4] = total(zonal::product(sh[0], sh[1])) + total(zonal::product(sh[0], zh[0])) +
+           zonal::triple_product(sh[0], sh[1], sh[2]);
   out[1] = zonal::dot(sh[0], sh[1]) + zonal::reconstruct(sh[0], d[0]) + zonal::reconstruct_zonal(zh[0], d[0][2]);
   out[2] = zonal::reconstruct_convolved(sh[0], zh[0], d[0]) +
            zonal::reconstruct_convolved(sh[0], zonal::LambertLobe{}, d[0]);

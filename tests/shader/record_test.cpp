@@ -83,6 +83,12 @@ std::vector<float> dot_of(Row row) {
   const A a = row.read<A>();
   return flat(zonal::dot(a, row.read<B>()));
 }
+/// product(A, B), A and B read in turn.
+template <class A, class B>
+std::vector<float> product_of(Row row) {
+  const A a = row.read<A>();
+  return flat(zonal::product(a, row.read<B>()));
+}
 template <class A>
 std::vector<float> convolution_of(Row row) {
   const A a = row.read<A>();
@@ -161,6 +167,15 @@ const std::map<std::string, std::function<std::vector<float>(Row)>> with_colours
     {"dot_even_colours", dot_of<EvenSh<Colour>, EvenSh<Colour>>},
     {"dot_zonal_colour", dot_of<Zh<Colour>, Zh<float>>},
     {"dot_zonal_colours", dot_of<Zh<Colour>, Zh<Colour>>},
+    {"product_colour", product_of<Sh<Colour>, Sh<float>>},
+    {"product_colours", product_of<Sh<Colour>, Sh<Colour>>},
+    {"product_with_zonal_colour", product_of<Sh<Colour>, Zh<float>>},
+    {"triple_product_colour",
+     [](Row row) {
+       const auto a = row.read<Sh<Colour>>();
+       const auto b = row.read<Sh<float>>();
+       return flat(zonal::triple_product(a, b, row.read<Sh<float>>()));
+     }},
     {"apply_hann_window_colour", [](Row row) { return windowed(row, zonal::Window::hann); }},
     {"apply_sinc_window_colour", [](Row row) { return windowed(row, zonal::Window::sinc); }},
 };
@@ -170,7 +185,7 @@ const std::map<std::string, std::function<std::vector<float>(Row)>> with_colours
 TEST_CASE("Every record is to the bit what C++ computes") {
   for (const FunctionEntry& entry : zonal_glsl::shader_functions()) {
     for_each_of(cpp_bands, [&](auto bands) {
-      if ((!entry.has_bands && bands > 1) || bands > zonal::shader::max_bands) return;
+      if ((!entry.has_bands && bands > 1) || bands > entry.most_bands) return;
       check(entry, bands, all_orders);
       for (int m = 0; m < entry.order_count(bands); ++m) check(entry, bands, m);
     });

@@ -1,5 +1,5 @@
-# The newest entry of the changes that is no longer unreleased, and the citation, are of the version in the header.
-file(STRINGS ${source_dir}/CHANGELOG.md changes REGEX "^## [0-9.]+$" LIMIT_COUNT 1)
+# The newest entry of the changes but for what is unreleased, and the citation, are of the version in the header.
+file(STRINGS ${source_dir}/CHANGELOG.md changes REGEX "^## [^,]*$" LIMIT_COUNT 1)
 file(STRINGS ${source_dir}/CITATION.cff citation REGEX "^version: ")
 foreach(line "${changes}" "${citation}")
   if(NOT line MATCHES "^(## |version: )${version}$")

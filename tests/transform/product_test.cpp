@@ -237,3 +237,19 @@ TEST_CASE("product: the numbers of Gaunt coefficients that are not zero") {
   CHECK(count(zonal::detail::gaunt_table<5, 5>, true) == 623);
   CHECK(count(zonal::detail::gaunt_table<6, 6>, true) == 1517);
 }
+
+TEST_CASE("quadrature: the half rule of compile time is the rule of run time") {
+  const auto check = [](const auto& half, const zonal::QuadratureRule& rule) {
+    const std::size_t last = rule.nodes.size() - 1;
+    for (std::size_t i = 0; i < std::size_t(half.count); ++i) {
+      CAPTURE(rule.nodes.size(), i);
+      CHECK(std::abs(double(half.nodes[i]) - rule.nodes[last - i]) <= 1e-15);
+      CHECK(std::abs(double(half.weights[i]) - rule.weights[last - i]) <= 1e-13 * rule.weights[last - i]);
+    }
+  };
+  constexpr zonal::HalfGaussRule<7> seven;
+  check(zonal::HalfGaussRule<1>(), zonal::gauss_legendre(1));
+  check(zonal::HalfGaussRule<2>(), zonal::gauss_legendre(2));
+  check(seven, zonal::gauss_legendre(7));
+  check(zonal::HalfGaussRule<60>(), zonal::gauss_legendre(60));
+}

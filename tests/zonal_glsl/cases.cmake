@@ -27,6 +27,7 @@ foreach(bands 0 11 -1 5.5 many)
   zonal_glsl_refused("bands ${bands}" "--bands: '${bands}' is not in 1...10" --functions cap --bands=${bands} -o x.glsl)
 endforeach()
 zonal_glsl_refused("bands of a name" "'cap@11': '11' is not in 1...10" --functions evaluate,cap@11 -o x.glsl)
+zonal_glsl_refused("more bands than a function has" "'product@7' has at most 6 bands" --functions product@7 -o x.glsl)
 zonal_glsl_refused("no bands to a name" "'cap@': '' is not in 1...10" --functions cap@ -o x.glsl)
 zonal_glsl_refused("bands where there are none" "'horizon_exact@3' has no bands .*" --functions horizon_exact@3 -o x.glsl)
 zonal_glsl_refused("degree out of a name's range" "'evaluate:degree3' selects neither .*"

@@ -15,7 +15,7 @@ skip() {
   exit 77
 }
 need() { command -v "$1" >/dev/null || skip "no $1 (Debian package $2)"; }
-names="$("$program" --bands 1 --list | awk '/^Loops/ { exit } /^[a-z]/ { print $1 }' | paste -sd,)"
+names() { "$program" --bands "$1" --list | awk '/^Loops/ { exit } /^[a-z]/ { print $1 }' | paste -sd,; }
 loops="$("$program" --bands 1 --list | awk '/^Loops/ { after = 1; next } after && /^[a-z]/ { print $1 }' | paste -sd,)"
 
 # What the loops read: a buffer, or in WebGL 2 a texture.
@@ -59,10 +59,10 @@ compile() {
   esac
 }
 
-precise=""
+precise="" with_loops=""
 case "$dialect" in
-  glsl450) need glslangValidator glslang-tools; precise=--precise; names="$names,$loops" ;;
-  glsles300) need glslangValidator glslang-tools; names="$names,$loops" ;;
+  glsl450) need glslangValidator glslang-tools; precise=--precise; with_loops=",$loops" ;;
+  glsles300) need glslangValidator glslang-tools; with_loops=",$loops" ;;
   hlsl) need glslangValidator glslang-tools; precise=--precise ;;
   wgsl)
     # No Debian package has a compiler of WGSL (its `tint` is a game): naga and Dawn, which browsers have, come from npm.
@@ -80,9 +80,9 @@ for bands in 1 2 5 10; do
   # Without a preprocessor, names of its own.
   prefix=zonal_
   if [ "$dialect" = wgsl ]; then prefix="bands${bands}_"; fi
-  "$program" --bands "$bands" --functions "$names" --dialect "$dialect" --prefix "$prefix" $precise -o functions.one
+  "$program" --bands "$bands" --functions "$(names "$bands")$with_loops" --dialect "$dialect" --prefix "$prefix" $precise -o functions.one
   cat functions.one >>functions
 done
 compile functions
-"$program" --bands 3 --functions "${names%,"$loops"}" --dialect "$dialect" --flat -o functions
+"$program" --bands 3 --functions "$(names 3)" --dialect "$dialect" --flat -o functions
 compile functions

@@ -80,6 +80,9 @@ class Selector {
     const std::string base = name.substr(0, colon);
     if (const FunctionEntry* function = find_function(base)) {
       if (at != std::string::npos && !function->has_bands) refuse(item, "has no bands to choose");
+      if (bands > function->most_bands) {
+        throw RequestError("'" + item + "' has at most " + std::to_string(function->most_bands) + " bands");
+      }
       RecordedFunction recorded = function->record(bands, zonal::shader::all_orders);
       if (colon != std::string::npos) {
         const std::string selection = name.substr(colon + 1);
@@ -159,6 +162,7 @@ std::string function_list(const Request& request, const Dialect& dialect) {
     text += line + std::string(summary) + "\n    " + signature + "\n";
   };
   for (const FunctionEntry& entry : shader_functions()) {
+    if (request.bands > entry.most_bands) continue;
     const RecordedFunction function = entry.record(request.bands, zonal::shader::all_orders);
     add(entry.name, entry.summary, signature_text(function, dialect, request.text));
   }

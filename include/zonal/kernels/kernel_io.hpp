@@ -253,6 +253,7 @@ class DescribingIo {
 /// What most entries share.
 struct Kernel {
   static constexpr bool has_bands = true;              // whether the number of bands matters
+  static constexpr int most_bands = 1000;              // as a shader function: more are too many operations
   static constexpr bool is_coloured = false;           // whether it runs a channel at a time
   static constexpr int order_count(int) { return 0; }  // the length of the loop over orders it takes part in
 };

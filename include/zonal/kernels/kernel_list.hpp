@@ -25,16 +25,18 @@ using BasisKernels =
     KernelList<Evaluate, EvaluateEven, EvaluateZonal, EvaluateWithGradient,                 // basis
                Cap, HemisphereCap, SphereCap, CapDerivative, Lambert, Phong, Gaussian,      // lobes
                Orient, Reconstruct, ReconstructEven, ReconstructZonal, ReconstructLambert,  // transforms
-               ReconstructConvolved, Convolve, ConvolveZonal, Dot, DotEven, DotZonal, WindowFactors<Window::hann>,
-               WindowFactors<Window::sinc>, ApplyWindow<Window::hann>, ApplyWindow<Window::sinc>>;
+               ReconstructConvolved, Convolve, ConvolveZonal, Dot, DotEven, DotZonal, Product, ProductZonal,
+               TripleProduct, WindowFactors<Window::hann>, WindowFactors<Window::sinc>, ApplyWindow<Window::hann>,
+               ApplyWindow<Window::sinc>>;
 // They run kernels of BasisKernels, and cost next to nothing to compile beside them.
 using ColourKernels =
     KernelList<OfColours<Orient>, OfColours<Reconstruct>, OfColours<ReconstructEven>, OfColours<ReconstructZonal>,
                OfColours<ReconstructLambert>, OfColours<ReconstructConvolved>, OfColours<Convolve>,
                OfColours<Convolve, Colours::all>, OfColours<ConvolveZonal>, OfColours<ConvolveZonal, Colours::all>,
                OfColours<Dot>, OfColours<Dot, Colours::all>, OfColours<DotEven>, OfColours<DotEven, Colours::all>,
-               OfColours<DotZonal>, OfColours<DotZonal, Colours::all>, OfColours<ApplyWindow<Window::hann>>,
-               OfColours<ApplyWindow<Window::sinc>>>;
+               OfColours<DotZonal>, OfColours<DotZonal, Colours::all>, OfColours<Product>,
+               OfColours<Product, Colours::all>, OfColours<ProductZonal>, OfColours<TripleProduct>,
+               OfColours<ApplyWindow<Window::hann>>, OfColours<ApplyWindow<Window::sinc>>>;
 using SceneKernels = KernelList<Sphere, SphereWithGradient,                                               // lights
                                 CellPosition, CellWeightsOf<Interpolation::trilinear>,                    // grid
                                 CellWeightsOf<Interpolation::hermite>, ClearSums, AddSphere, FinishSums,  //
@@ -42,9 +44,8 @@ using SceneKernels = KernelList<Sphere, SphereWithGradient,                     
                                 TangentTowards, HorizonOf<Horizon::smoothstep>, HorizonOf<Horizon::exact>,
                                 HvlRadiance<1>, HvlRadiance<3>>;  // virtual lights
 // They are no shader functions: of fixed lights, and for tests.
-using UnwrittenKernels =
-    KernelList<Arcs, SpotWithGradient, TriangleSphereWithGradient, PolygonWithGradient, HvlRadiance<3, Horizon::exact>,
-               HvlRadiance<3, Horizon::none>>;
+using UnwrittenKernels = KernelList<Arcs, SpotWithGradient, TriangleSphereWithGradient, PolygonWithGradient,
+                                    HvlRadiance<3, Horizon::exact>, HvlRadiance<3, Horizon::none>>;
 
 }  // namespace kernels
 }  // namespace ZONAL_TARGET

@@ -11,6 +11,7 @@
 #include "../transform/convolve.hpp"
 #include "../transform/dot.hpp"
 #include "../transform/orient.hpp"
+#include "../transform/product.hpp"
 #include "../transform/window.hpp"
 #include "kernel_io.hpp"
 
@@ -173,6 +174,45 @@ struct DotZonal : DotOf<DotZonal> {
   }
 };
 
+struct Product : Kernel {
+  static constexpr const char* name = "product";
+  static constexpr const char* summary = "The product of two functions, of which the first bands are kept.";
+  static constexpr int most_bands = 6;
+  template <int N, class Io>
+  static void run(Io& io) {
+    const auto a = detail::take_sh<N>(io, "a"), b = detail::take_sh<N>(io, "b", false);
+    const auto result = io.template output_sh<N>("result");
+    const auto values = product(a, b);
+    for (int i = 0; i < N * N; ++i) result[i] = values[i];
+  }
+};
+
+struct ProductZonal : Kernel {
+  static constexpr const char* name = "product_with_zonal";
+  static constexpr const char* summary =
+      "The product with a function that is zonal about z, of which the first bands are kept.";
+  template <int N, class Io>
+  static void run(Io& io) {
+    const auto sh = detail::take_sh<N>(io, "sh");
+    const auto zh = detail::take_zonal<N>(io, "zh", false);
+    const auto result = io.template output_sh<N>("result");
+    const auto values = product(sh, zh);
+    for (int i = 0; i < N * N; ++i) result[i] = values[i];
+  }
+};
+
+struct TripleProduct : Kernel {
+  static constexpr const char* name = "triple_product";
+  static constexpr const char* summary = "The integral of the product of three functions.";
+  static constexpr int most_bands = Product::most_bands;
+  template <int N, class Io>
+  static void run(Io& io) {
+    const auto a = detail::take_sh<N>(io, "a"), b = detail::take_sh<N>(io, "b", false);
+    const auto c = detail::take_sh<N>(io, "c", false);
+    io.output("value", 0)[0] = triple_product(a, b, c);
+  }
+};
+
 template <Window window>
 struct WindowFactors : Kernel {
   static constexpr const char* name = window == Window::hann ? "hann_window" : "sinc_window";
@@ -223,6 +263,7 @@ constexpr std::array<char, Size + 1> join_texts(std::string_view a, std::string_
 template <class Entry, Colours colours = Colours::first>
 struct OfColours : Kernel {
   static constexpr bool is_coloured = true;
+  static constexpr int most_bands = Entry::most_bands;
   template <int N, class Io>
   static void run(Io& io) {
     for (int channel = 0; channel < 3; ++channel) {

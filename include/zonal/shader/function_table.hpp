@@ -1,6 +1,7 @@
 // The table of functions (kernels/kernel_list.hpp) for names and numbers of bands known at run time.
 #pragma once
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -22,6 +23,7 @@ inline constexpr int max_bands = 10;
 struct FunctionEntry {
   std::string_view name, summary;
   bool has_bands;
+  int most_bands;
   int (*order_count)(int bands);
   RecordedFunction (*record)(int bands, int order);
 };
@@ -34,12 +36,14 @@ RecordedFunction record_bands(int bands, int order, std::integer_sequence<int, I
 }
 }  // namespace detail
 
-/// An entry of the table, written down with 1 to max_bands bands; nothing with others.
+/// An entry of the table, written down with 1 to max_bands bands, or as many as it has; nothing with others.
+template <class Entry>
+inline constexpr int most_bands_of = (std::min)(Entry::most_bands, max_bands);
 template <class Entry>
 RecordedFunction record_bands(int bands, int order) {
   if constexpr (!Entry::has_bands) return record<Entry, 1>(order);
-  if (bands < 1 || bands > max_bands) return {};
-  return detail::record_bands<Entry>(bands, order, std::make_integer_sequence<int, max_bands>{});
+  if (bands < 1 || bands > most_bands_of<Entry>) return {};
+  return detail::record_bands<Entry>(bands, order, std::make_integer_sequence<int, most_bands_of<Entry>>{});
 }
 
 /// Appends a list of entries, in its order.
@@ -47,7 +51,8 @@ template <class List>
 void append_functions(std::vector<FunctionEntry>& entries) {
   kernels::for_each_kernel(List{}, [&](auto entry) {
     using Entry = decltype(entry);
-    entries.push_back({Entry::name, Entry::summary, Entry::has_bands, Entry::order_count, record_bands<Entry>});
+    entries.push_back(
+        {Entry::name, Entry::summary, Entry::has_bands, most_bands_of<Entry>, Entry::order_count, record_bands<Entry>});
   });
 }
 

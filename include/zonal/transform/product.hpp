@@ -2,7 +2,10 @@
 //
 // (a b)_j = sum over i, k of G_ijk a_i b_k, G_ijk being the integral of three harmonics (gaunt.hpp). A product of N
 // bands by N bands has 2N - 1. Coefficients may be colours: of colours by numbers, or by colours, each channel for
-// itself, where these can be multiplied.
+// itself, where these can be multiplied. The unit of a product is that of a times that of b.
+//
+// Greatest error, of 1 to 13 bands, in units of the norm (root of the sum of squares) of the whole product: 3e-7 in
+// float, 5e-16 in double. clang++ computes the tables of up to 40 bands within its limits, g++ of 64.
 #pragma once
 
 #include "dot.hpp"
@@ -13,7 +16,8 @@ namespace zonal {
 inline namespace ZONAL_TARGET {
 namespace detail {
 
-// Measured, in packets and one by one: from 6 bands on rings take less time, and far less to compile.
+// Measured, in packets and one by one, truncated and whole: from 6 bands on rings take less time, and far less to
+// compile.
 inline constexpr int most_gaunt_bands = 5;
 
 template <int K, int N, class A, class B>

@@ -20,11 +20,34 @@ ZONAL_INLINE constexpr C difference(const C& a, const C& b) {
 }
 
 // a_i b_j + a_j b_i, or a_i b_i.
-template <int i, int j, class C, int N, class A, class B>
-ZONAL_INLINE constexpr C symmetric_product(const Sh<N, A>& a, const Sh<N, B>& b) {
+template <class C, int N, class A, class B>
+ZONAL_INLINE constexpr C symmetric_product(const Sh<N, A>& a, const Sh<N, B>& b, int i, int j) {
   C sum = times(a.values[i], b.values[j]);
-  if constexpr (i != j) add_times(sum, a.values[j], b.values[i]);
+  if (i != j) add_times(sum, a.values[j], b.values[i]);
   return sum;
+}
+
+// sum = or += value * factor.
+template <class C, class A, class F>
+ZONAL_INLINE constexpr void give(C& sum, bool is_first, const A& value, const F& factor) {
+  if (is_first) {
+    sum = times(value, factor);
+  } else {
+    add_times(sum, value, factor);
+  }
+}
+
+// Terms [first, last) of the table: `even` and `odd` times each coefficient to the cosine and the sine of their order.
+template <int first, int last, int order, int K, int N, class C>
+ZONAL_INLINE constexpr void give_terms(Sh<K, C>& sums, const C& even, const C& odd) {
+  unroll<first, last>([&](auto t) ZONAL_INLINE {
+    using Number = number_t<C>;
+    constexpr int j = gaunt_table<N, K>.terms[t].j;
+    constexpr bool is_first = gaunt_table<N, K>.terms[t].is_first;
+    constexpr auto gaunt = rounded<Number>(gaunt_table<N, K>.terms[t].value);
+    give(sums.values[sh_index(j, order)], is_first, even, Number(gaunt));
+    if constexpr (order > 0) give(sums.values[sh_index(j, -order)], is_first, odd, Number(gaunt));
+  });
 }
 
 // The K bands of a b (gaunt.hpp).
@@ -33,49 +56,28 @@ ZONAL_INLINE constexpr Sh<K, product_t<A, B>> product_by_gaunt(const Sh<N, A>& a
   using C = product_t<A, B>;
   using Table = GauntTable<N, K>;
   Sh<K, C> sums{};
-  // Of term t, `value` times its coefficient is added to the order that is given.
-  const auto add = [&](auto t, auto order, const C& value) ZONAL_INLINE {
-    using Number = number_t<C>;
-    constexpr typename Table::Term term = gaunt_table<N, K>.terms[t];
-    constexpr auto gaunt = rounded<Number>(term.value);
-    C& sum = sums.values[sh_index(term.j, order)];
-    if constexpr (term.is_first) {
-      sum = times(value, Number(gaunt));
-    } else {
-      add_times(sum, value, Number(gaunt));
-    }
-  };
   unroll<0, Table::pair_count>([&](auto index) ZONAL_INLINE {
     constexpr typename Table::Pair pair = gaunt_table<N, K>.pairs[index];
-    constexpr int l = pair.l, m = pair.m, k = pair.k, n = pair.n;
-    constexpr int cosine = sh_index(l, m), sine = sh_index(l, -m), other = sh_index(k, n), other_sine = sh_index(k, -n);
-    if constexpr (pair.first == pair.last) return;
-    const C cosines = symmetric_product<cosine, other, C>(a, b);
-    if constexpr (n == 0) {
-      unroll<pair.first, pair.last>([&](auto t) ZONAL_INLINE { add(t, Index<m>{}, cosines); });
-      if constexpr (m > 0) {
-        const C sines = symmetric_product<sine, other, C>(a, b);
-        unroll<pair.first, pair.last>([&](auto t) ZONAL_INLINE { add(t, Index<-m>{}, sines); });
-      }
+    constexpr int m = pair.m, n = pair.n;
+    constexpr int cosine = sh_index(pair.l, m), sine = sh_index(pair.l, -m);
+    constexpr int other = sh_index(pair.k, n), other_sine = sh_index(pair.k, -n);
+    if constexpr (pair.first == pair.last) {
+      return;
+    } else if constexpr (n == 0) {
+      const C cosines = symmetric_product<C>(a, b, cosine, other);
+      const C sines = m > 0 ? symmetric_product<C>(a, b, sine, other) : cosines;
+      give_terms<pair.first, pair.last, m, K, N>(sums, cosines, sines);
     } else {
-      constexpr bool is_square = cosine == other;
-      const C sines = symmetric_product<sine, other_sine, C>(a, b);
-      const C mixed = symmetric_product<sine, other, C>(a, b);
-      const C mixed_again = is_square ? mixed : symmetric_product<cosine, other_sine, C>(a, b);
+      const C cosines = symmetric_product<C>(a, b, cosine, other), sines = symmetric_product<C>(a, b, sine, other_sine);
+      const C mixed = symmetric_product<C>(a, b, sine, other);
+      const C mixed_again = symmetric_product<C>(a, b, cosine, other_sine);
       if constexpr (pair.first < pair.middle) {
-        const C even = difference(cosines, sines), odd = is_square ? mixed : mixed + mixed_again;
-        unroll<pair.first, pair.middle>([&](auto t) ZONAL_INLINE {
-          add(t, Index<m + n>{}, even);
-          add(t, Index<-m - n>{}, odd);
-        });
+        const C odd = cosine == other ? mixed : mixed + mixed_again;
+        give_terms<pair.first, pair.middle, m + n, K, N>(sums, difference(cosines, sines), odd);
       }
       if constexpr (pair.middle < pair.last) {
-        const C even = cosines + sines;
-        unroll<pair.middle, pair.last>([&](auto t) ZONAL_INLINE { add(t, Index<m - n>{}, even); });
-        if constexpr (m > n) {
-          const C odd = difference(mixed, mixed_again);
-          unroll<pair.middle, pair.last>([&](auto t) ZONAL_INLINE { add(t, Index<n - m>{}, odd); });
-        }
+        const C even = cosines + sines, odd = m > n ? difference(mixed, mixed_again) : even;
+        give_terms<pair.middle, pair.last, m - n, K, N>(sums, even, odd);
       }
     }
   });
@@ -89,38 +91,26 @@ ZONAL_INLINE constexpr void for_each_zonal_factor(const Zh<N, Z>& z, Apply&& app
   unroll<0, Table::pair_count>([&](auto index) ZONAL_INLINE {
     constexpr typename Table::Pair pair = zonal_gaunt_table<N, Orders>.pairs[index];
     using Number = number_t<Z>;
-    constexpr typename Table::Term first = zonal_gaunt_table<N, Orders>.terms[pair.first];
-    constexpr auto first_gaunt = rounded<Number>(first.value);
-    Z factor = times(z.values[first.k], Number(first_gaunt));
+    constexpr int first = zonal_gaunt_table<N, Orders>.terms[pair.first].k;
+    constexpr auto first_gaunt = rounded<Number>(zonal_gaunt_table<N, Orders>.terms[pair.first].value);
+    Z factor = times(z.values[first], Number(first_gaunt));
     unroll<pair.first + 1, pair.last>([&](auto t) ZONAL_INLINE {
-      constexpr typename Table::Term term = zonal_gaunt_table<N, Orders>.terms[t];
-      constexpr auto gaunt = rounded<Number>(term.value);
-      add_times(factor, z.values[term.k], Number(gaunt));
+      constexpr int k = zonal_gaunt_table<N, Orders>.terms[t].k;
+      constexpr auto gaunt = rounded<Number>(zonal_gaunt_table<N, Orders>.terms[t].value);
+      add_times(factor, z.values[k], Number(gaunt));
     });
-    apply(Index<pair.l>{}, Index<pair.j>{}, Index<pair.m>{}, factor);
+    apply(pair.l, pair.j, pair.m, factor);
   });
-}
-
-// sums[to] = or += a[from] * factor: pairs begin with those of j = m, which is what each sum is first given.
-template <bool is_first, int to, int from, class C, class A, class Z>
-ZONAL_INLINE constexpr void add_zonal(C* sums, const A* a, const Z& factor) {
-  if constexpr (is_first) {
-    sums[to] = times(a[from], factor);
-  } else {
-    add_times(sums[to], a[from], factor);
-  }
 }
 
 template <int N, class A, class Z>
 ZONAL_INLINE constexpr Sh<N, product_t<A, Z>> product_by_gaunt(const Sh<N, A>& a, const Zh<N, Z>& z) {
   Sh<N, product_t<A, Z>> sums{};
-  for_each_zonal_factor<N, N>(z, [&](auto l, auto j, auto m, const Z& factor) ZONAL_INLINE {
-    constexpr int upper = sh_index(l, m), lower = sh_index(j, m);
-    add_zonal<j == m, upper, lower>(sums.values, a.values, factor);
-    if constexpr (l != j) add_zonal<false, lower, upper>(sums.values, a.values, factor);
-    if constexpr (m > 0) {
-      add_zonal<j == m, upper - 2 * m, lower - 2 * m>(sums.values, a.values, factor);
-      if constexpr (l != j) add_zonal<false, lower - 2 * m, upper - 2 * m>(sums.values, a.values, factor);
+  for_each_zonal_factor<N, N>(z, [&](int l, int j, int m, const Z& factor) ZONAL_INLINE {
+    for (int order = m; order >= -m; order -= m > 0 ? 2 * m : 1) {
+      const int upper = sh_index(l, order), lower = sh_index(j, order);
+      give(sums.values[upper], j == m, a.values[lower], factor);  // pairs begin with those of j = m
+      if (l != j) give(sums.values[lower], false, a.values[upper], factor);
     }
   });
   return sums;
@@ -128,9 +118,9 @@ ZONAL_INLINE constexpr Sh<N, product_t<A, Z>> product_by_gaunt(const Sh<N, A>& a
 template <int N, class A, class Z>
 ZONAL_INLINE constexpr Zh<N, product_t<A, Z>> product_by_gaunt(const Zh<N, A>& a, const Zh<N, Z>& z) {
   Zh<N, product_t<A, Z>> sums{};
-  for_each_zonal_factor<N, 1>(z, [&](auto l, auto j, auto, const Z& factor) ZONAL_INLINE {
-    add_zonal<j == 0, l, j>(sums.values, a.values, factor);
-    if constexpr (l != j) add_zonal<false, j, l>(sums.values, a.values, factor);
+  for_each_zonal_factor<N, 1>(z, [&](int l, int j, int, const Z& factor) ZONAL_INLINE {
+    give(sums.values[l], j == 0, a.values[j], factor);
+    if (l != j) give(sums.values[j], false, a.values[l], factor);
   });
   return sums;
 }

@@ -1,9 +1,9 @@
 // One direction of many bands: the orders m side by side in the lanes of a register, the degrees one after the other.
 //
-// For values in an array, at run time, from 16 bands on: at 16 bands three quarters of the time of one order after the
-// other, at 20 half of it, at 24 two fifths. Below the columns of few degrees waste the lanes. The recurrence begins on
-// the diagonal, where evaluate() has polynomials for the first three degrees above it, and powers of x + iy come from
-// fewer products: results differ by roundings from those of the sink form; the greatest error is the same.
+// For values in an array, at run time, from 16 bands on: with AVX2 at 16 bands three quarters of the time of one order
+// after the other, at 20 half of it, at 24 two fifths. Below the columns of few degrees waste the lanes. The recurrence
+// begins on the diagonal, where evaluate() has polynomials for the first three degrees above it, and powers of x + iy
+// come from fewer products: results differ by roundings from those of the sink form; the greatest error is the same.
 #pragma once
 
 #include <cstddef>

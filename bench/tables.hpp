@@ -18,6 +18,9 @@ void print_gradient_figure_15(std::ostream& out);
 /// Batches of directions beside a plain fill, and sums of samples: no paper's.
 void print_batches(std::ostream& out, const Results& results);
 
+/// Pictures of all directions beside the sum of their texels: no paper's.
+void print_environments(std::ostream& out, const Results& results);
+
 /// All kernels of the registry, those of the papers' tables among them.
 void print_registry(std::ostream& out, const Results& results);
 

@@ -5,12 +5,14 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
 #include <type_traits>
 #include <vector>
 
+#include "../accuracy_table.hpp"
 #include "../catch.hpp"
 #include "directions.hpp"
 
@@ -196,6 +198,35 @@ TEST_CASE("Coefficients stand in the order l(l+1)+m, and in l(l+1)/2+m when only
   CHECK(zh.size() == 4);
   STATIC_REQUIRE(std::is_trivially_copyable_v<zonal::Sh<4, float>>);
   STATIC_REQUIRE(sizeof(zonal::Sh<4, float>) == 16 * sizeof(float));
+}
+
+namespace {
+// From 16 bands on arrays are evaluated with the orders in lanes: against the sink form, which is not, in long double.
+template <int N, class T>
+void check_many_bands() {
+  const double bound = accuracy_of("evaluate", sizeof(T) == sizeof(float) ? "float" : "double", 21).bound;
+  for (const auto& v : directions_and_poles<T>(1000, N)) {
+    const auto y = zonal::evaluate<N>(v);
+    double worst = 0;
+    zonal::evaluate<N, long double>(v[0], v[1], v[2], [&](auto l, auto m, long double exact) {
+      worst = std::max(worst, static_cast<double>(std::abs(y(l, m) - exact)) / largest_of_degree(l));
+    });
+    CAPTURE(N, v[0], v[1], v[2]);
+    REQUIRE(worst <= bound);
+  }
+}
+}  // namespace
+
+TEST_CASE("Arrays of many bands: every value has its place, and is as exact as those of few") {
+  check_many_bands<16, float>();
+  check_many_bands<17, double>();
+  check_many_bands<21, float>();
+}
+
+TEST_CASE("Arrays of many bands are constant expressions too") {
+  constexpr auto y = zonal::evaluate<16>(std::array<double, 3>{0.48, 0.6, 0.64});
+  const auto at_run_time = zonal::evaluate<16>(std::array<double, 3>{0.48, 0.6, 0.64});
+  for (int i = 0; i < y.size(); ++i) CHECK(std::abs(y[i] - at_run_time[i]) <= 1e-13);
 }
 
 TEST_CASE("Coefficients form a vector space") {

@@ -1,8 +1,10 @@
 // What goes to a GPU: the floats of shader_buffer, and materials read from them in compute and fragment shaders.
+#include <zonal/material/anisotropic_table.hpp>
 #include <zonal/shader/buffers.hpp>
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -96,6 +98,26 @@ TEST_CASE("The buffer of a cache is its lights, one after the other, as the shad
         CHECK(std::abs(of_three[10 + 4 * c + k] - emission[k][c]) <= 1e-6F * std::abs(scale[c]));
     }
   }
+}
+
+TEST_CASE("The buffer of a cache is refused where a light is of an anisotropic material, which no shader gathers") {
+  SceneRandom random(22);
+  const zonal::MaterialTable isotropic = random_material(random, 3, 90);
+  const zonal::AnisotropicTable anisotropic([](const auto&, const auto&) { return glm::dvec3(0.3); }, 3, 1e-2, 8);
+  std::vector<zonal::VirtualLight> lights(2);
+  for (zonal::VirtualLight& light : lights) {
+    light.normal = light.to_primary = {0, 0, 1};
+    light.tangent = {1, 0, 0};
+    light.flux = glm::vec3(1);
+    light.radius = 1;
+    light.material = &isotropic;
+  }
+  lights[1].material = nullptr;
+  lights[1].anisotropic = &anisotropic;
+  CHECK_THROWS_AS(shader_buffer(zonal::HvlCache<3>(lights)), std::invalid_argument);
+  CHECK_THROWS_AS(shader_buffer(zonal::HvlCache<1>(lights)), std::invalid_argument);
+  lights[1].flux = glm::vec3(0);  // it does not shine: it is left out
+  CHECK(shader_buffer(zonal::HvlCache<1>(lights)).size() == 13);
 }
 
 TEST_CASE("The buffer of a material is its size and its rows") {

@@ -55,7 +55,7 @@ ZONAL_INLINE constexpr void legendre_column_with_slope(const T& cosine, const T&
 
 /// By the recurrences of [1, Eq. 22], at a unit vector that is not a pole.
 template <int N, class Direction>
-AngularGradient<N, component_t<Direction>> angular_gradient_sloan_like(const Direction& direction) {
+ZONAL_INLINE inline AngularGradient<N, component_t<Direction>> angular_gradient_sloan_like(const Direction& direction) {
   using T = component_t<Direction>;
   const auto v = zonal::detail::as_direction<T>(direction);
   const T x = v.x, y = v.y, z = v.z;
@@ -87,7 +87,7 @@ AngularGradient<N, component_t<Direction>> angular_gradient_sloan_like(const Dir
 
 /// By the derivatives of the associated Legendre functions [1, Eq. 19], at a unit vector that is not a pole.
 template <int N, class Direction>
-AngularGradient<N, component_t<Direction>> angular_gradient_direct(const Direction& direction) {
+ZONAL_INLINE inline AngularGradient<N, component_t<Direction>> angular_gradient_direct(const Direction& direction) {
   using T = component_t<Direction>;
   const auto v = zonal::detail::as_direction<T>(direction);
   const T x = v.x, y = v.y, z = v.z;
@@ -133,7 +133,7 @@ AngularGradient<N, component_t<Direction>> angular_gradient_direct(const Directi
 
 /// From derivatives by angles to derivatives by x, y, z at the same unit vector [1, Eq. 23].
 template <int N, class T, class Direction>
-ShGradient<N, T> to_cartesian(const AngularGradient<N, T>& angular, const Direction& direction) {
+ZONAL_INLINE inline ShGradient<N, T> to_cartesian(const AngularGradient<N, T>& angular, const Direction& direction) {
   const auto v = zonal::detail::as_direction<T>(direction);
   const T x = v.x, y = v.y, z = v.z;
   const T sine2 = x * x + y * y, sine = sqrt(sine2), z_by_sine = z / sine, inverse = T(1) / sine2;

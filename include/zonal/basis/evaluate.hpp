@@ -13,6 +13,7 @@
 #include "../scalar/scalar.hpp"
 #include "../scalar/unroll.hpp"
 #include "../scalar/vector3.hpp"
+#include "order_lanes.hpp"
 #include "sh.hpp"
 #include "table.hpp"
 
@@ -44,7 +45,7 @@ ZONAL_INLINE constexpr void legendre_column(const T& z, const T& z2, Sink&& sink
   }
   unroll<m + 4, N>([&](auto l) ZONAL_INLINE {
     constexpr auto raise = rounded<T>(basis_table<N>.raise[l][m]), lower = rounded<T>(basis_table<N>.lower[l][m]);
-    const T next = T(raise) * z * last - T(lower) * below;
+    const T next = next_legendre(T(raise), T(lower), z, last, below);
     below = last;
     last = next;
     sink(l, next);
@@ -86,11 +87,7 @@ ZONAL_INLINE constexpr void evaluate(const T& x, const T& y, const T& z, Sink&& 
       sink(l, Index<-m>{}, q * s);
       sink(l, m, q * c);
     });
-    if constexpr (m + 1 < N) {
-      const T next = x * c - y * s;
-      s = x * s + y * c;
-      c = next;
-    }
+    if constexpr (m + 1 < N) detail::turn(x, y, c, s);
   });
 }
 
@@ -134,13 +131,23 @@ ZONAL_INLINE constexpr void evaluate_into(Sh<N, T>& sh, const T& x, const T& y, 
 }
 }  // namespace detail
 
-/// N*N values in the order l(l+1)+m at a unit vector: anything with v[0], v[1], v[2], or v.x, v.y, v.z.
+/// N*N values in the order l(l+1)+m at a unit vector: anything with v[0], v[1], v[2], or v.x, v.y, v.z. Floats and
+/// doubles of many bands differ by roundings from what the sink form gives: order_lanes.hpp.
 template <int N, class Direction>
 ZONAL_DEVICE constexpr Sh<N, component_t<Direction>> evaluate(const Direction& direction) {
   using T = component_t<Direction>;
   static_assert(N >= 1, "bands out of range: N >= 1");
   Sh<N, T> sh;
   const auto v = detail::as_direction<T>(direction);
+#if defined(ZONAL_ORDERS_IN_LANES)
+  if constexpr (detail::are_orders_in_lanes<N, T>) {
+    if (!__builtin_is_constant_evaluated()) {
+      assert(detail::is_unit<T>(v.x, v.y, v.z));
+      detail::evaluate_orders<N>(sh, v.x, v.y, v.z);
+      return sh;
+    }
+  }
+#endif
   detail::evaluate_into(sh, v.x, v.y, v.z);
   return sh;
 }

@@ -15,6 +15,7 @@
 #include <cstddef>
 
 #include "../scalar/constexpr_math.hpp"
+#include "../scalar/scalar.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
@@ -50,6 +51,21 @@ struct BasisTable {
 
 template <int N>
 inline constexpr BasisTable<N> basis_table{};
+
+namespace detail {
+// The recurrence: q_l^m from the two degrees below it.
+template <class T>
+ZONAL_INLINE constexpr T next_legendre(const T& raise, const T& lower, const T& z, const T& last, const T& below) {
+  return raise * z * last - lower * below;
+}
+// c + is times x + iy.
+template <class T>
+ZONAL_INLINE constexpr void turn(const T& x, const T& y, T& c, T& s) {
+  const T next = x * c - y * s;
+  s = x * s + y * c;
+  c = next;
+}
+}  // namespace detail
 
 }  // namespace ZONAL_TARGET
 }  // namespace zonal

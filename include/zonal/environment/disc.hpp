@@ -46,13 +46,25 @@ struct Disc {
   }
 };
 
-// sum of (-pi^2 x)^k / (2k + first)!, to the last bit for 0 <= x <= 1.1: with `first` 0 cos(pi r), with 1 sin(pi r)/(pi
-// r), at x = r^2.
+// 1 / ((2k + first)(2k + first - 1)), times -pi^2: from a term of the series below to the next.
 template <int first>
-double pi_series(double x) {
-  constexpr int terms = 16;
-  double sum = 1;
-  for (int k = terms; k >= 1; --k) sum = 1 - double(kPi * kPi) / ((2 * k + first) * (2 * k + first - 1)) * x * sum;
+struct PiSeriesSteps {
+  static constexpr int count = 15;
+  double step[count + 1] = {};
+  constexpr PiSeriesSteps() {
+    for (int k = 1; k <= count; ++k) {
+      step[k] = static_cast<double>(-kPi * kPi / ((2 * k + first) * (2 * k + first - 1)));
+    }
+  }
+};
+
+// sum of (-pi^2 x)^k / (2k + first)!, to 3e-16 for 0 <= x <= 1.1: with `first` 0 cos(pi r), with 1 sin(pi r)/(pi r), at
+// x = r^2.
+template <int first, class T>
+T pi_series(const T& x) {
+  constexpr PiSeriesSteps<first> steps;
+  T sum = T(1);
+  for (int k = steps.count; k >= 1; --k) sum = T(1) + T(steps.step[k]) * x * sum;
   return sum;
 }
 
@@ -144,8 +156,9 @@ struct AngularMap {
   std::array<double, 3> direction(double column, double row) const {
     const double p = disc_.right(column), q = disc_.up(row), r2 = p * p + q * q;
     if (!(r2 <= 1)) return {0, 0, 0};
-    const double sine = double(kPi) * detail::pi_series<1>(r2);  // over r
-    return {detail::pi_series<0>(r2), -sine * p, sine * q};
+    std::array<double, 3> d;
+    set_direction(p, q, d[0], d[1], d[2]);
+    return d;
   }
 
   template <class V>
@@ -158,20 +171,38 @@ struct AngularMap {
   /// The integral of pi sin(pi r) / r, which is analytic, by a Gauss-Legendre rule as long as it has to be (to 1e-14 of
   /// it); at the rim over the whole texel. Times what makes their sum 4 pi: 1 + O(1 / size^2).
   double solid_angle(int column, int row) const {
-    if (!has_direction(column, row)) return 0.0;
-    double sum = 0;
-    for_nodes([&](double x, double x_weight) {
-      const double p = disc_.right(column + x), p2 = p * p;
-      for_nodes([&](double y, double y_weight) {
-        const double q = disc_.up(row + y);
-        sum += x_weight * y_weight * detail::pi_series<1>(p2 + q * q);
-      });
-    });
-    const double side = 2.0 / size;
-    return scale_ * double(kPi * kPi) * side * side * sum;
+    return has_direction(column, row) ? density_integral(double(column), row) : 0.0;
+  }
+
+  /// Direction and solid angle of texels on the disc, in any scalar: lanes of texels of a row.
+  template <class T>
+  void direction_and_solid_angle(const T& column, int row, T (&direction)[3], T& solid_angle) const {
+    const T p = (T(2) * column + T(1 - size)) * T(1.0 / size);
+    set_direction(p, T(disc_.up(row + 0.5)), direction[0], direction[1], direction[2]);
+    solid_angle = density_integral(column, row);
   }
 
  private:
+  template <class T>
+  static void set_direction(const T& p, const T& q, T& x, T& y, T& z) {
+    const T r2 = p * p + q * q, sine = T(double(kPi)) * detail::pi_series<1>(r2);  // over r
+    x = detail::pi_series<0>(r2);
+    y = -sine * p;
+    z = sine * q;
+  }
+  template <class T>
+  T density_integral(const T& column, int row) const {
+    T sum = T(0);
+    for_nodes([&](double x, double x_weight) {
+      const T p = (T(2) * (column + T(x)) - T(size)) * T(1.0 / size), p2 = p * p;
+      for_nodes([&](double y, double y_weight) {
+        const double q = disc_.up(row + y);
+        sum = sum + T(x_weight * y_weight) * detail::pi_series<1>(p2 + T(q * q));
+      });
+    });
+    const double side = 2.0 / size;
+    return T(scale_ * double(kPi * kPi) * side * side) * sum;
+  }
   // Gauss-Legendre on [0, 1]: visit(place, weight). The fewer the larger the picture.
   template <class Visit>
   void for_nodes(const Visit& visit) const {

@@ -120,6 +120,12 @@ struct PictureFaults {
     negative += b.negative;
     return *this;
   }
+  constexpr PictureFaults& operator-=(const PictureFaults& b) {
+    not_a_number -= b.not_a_number;
+    infinite -= b.infinite;
+    negative -= b.negative;
+    return *this;
+  }
 };
 
 namespace detail {

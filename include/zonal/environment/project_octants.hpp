@@ -16,6 +16,20 @@ namespace zonal {
 inline namespace ZONAL_TARGET {
 namespace detail {
 
+// As many floats as a register holds doubles. (No template: there GCC does not know the vectors' type.)
+ZONAL_INLINE inline Lanes<double, native_lanes_v<double>> widened(const float* numbers) {
+  constexpr int width = native_lanes_v<double>;
+#if defined(__clang__) || (defined(__GNUC__) && __GNUC__ >= 9)
+  typedef float Narrow __attribute__((vector_size(width * sizeof(float)), aligned(alignof(float)), may_alias));
+  typedef double Wide __attribute__((vector_size(width * sizeof(double))));
+  return Lanes<double, width>::from(__builtin_convertvector(*reinterpret_cast<const Narrow*>(numbers), Wide));
+#else
+  double wide[width];
+  for (int i = 0; i < width; ++i) wide[i] = double(numbers[i]);
+  return Lanes<double, width>::load(wide);
+#endif
+}
+
 // Up to `capacity` directions, and what stands at them and at their mirror images.
 struct OctantRun {
   static constexpr int capacity = 32;
@@ -36,10 +50,15 @@ struct OctantRun {
       }
     }
   }
+  // Texels that are their own mirror images come twice: those from first_copy on are not counted again.
   template <class Element>
-  void read(int sign, const Run<Element>& run, PictureFaults& faults) {
+  void read(int sign, const Run<Element>& run, PictureFaults& faults, int first_copy, int end_of_copies) {
     float* const to[3] = {texels[sign][0], texels[sign][1], texels[sign][2]};
-    read_run(run, count, to, faults);
+    PictureFaults found, again;
+    read_run(run, count, to, found);
+    if (found.total() != 0) read_texels(run, first_copy, end_of_copies, to, again);
+    faults += found;
+    faults -= again;
     has[sign] = true;
   }
 };
@@ -79,23 +98,26 @@ class OctantSums {
  private:
   // combined_[p] = sum over the signs s of (-1)^(bits that s and p share) texels[s], and the same of ones.
   void combine(const OctantRun& run) {
+    constexpr int lanes = native_lanes_v<float>;
+    using F = Lanes<float, lanes>;
     for (int c = 0; c < 3; ++c) {
-      float sums[8][size];
-      for (int s = 0; s < 8; ++s) {
-        for (std::size_t i = 0; i < size; ++i) sums[s][i] = run.texels[s][c][i];
-      }
-      for (int bit = 1; bit < 8; bit *= 2) {
-        for (int s = 0; s < 8; ++s) {
-          if ((s & bit) != 0) continue;
-          for (std::size_t i = 0; i < size; ++i) {
-            const float a = sums[s][i], b = sums[s | bit][i];
-            sums[s][i] = a + b;
-            sums[s | bit][i] = a - b;
-          }
-        }
-      }
-      for (int p = 0; p < 8; ++p) {
-        for (std::size_t i = 0; i < size; ++i) combined_[p][c][i] = double(sums[p][i]);
+      for (int i = 0; i < OctantRun::capacity; i += lanes) {
+        F sums[8];
+        unroll<0, 8>([&](auto s) ZONAL_INLINE { sums[s] = F::load(run.texels[s][c] + i); });
+        unroll<0, 3>([&](auto bit) ZONAL_INLINE {
+          unroll<0, 8>([&](auto s) ZONAL_INLINE {
+            if constexpr ((s & (1 << bit)) == 0) {
+              const F a = sums[s], b = sums[s | (1 << bit)];
+              sums[s] = a + b;
+              sums[s | (1 << bit)] = a - b;
+            }
+          });
+        });
+        unroll<0, 8>([&](auto p) ZONAL_INLINE {
+          float numbers[static_cast<std::size_t>(lanes)];
+          sums[p].store(numbers);
+          for (int k = 0; k < lanes; k += width) widened(numbers + k).store(combined_[p][c] + i + k);
+        });
       }
     }
     for (int p = 0; p < 8; ++p) {
@@ -176,7 +198,9 @@ void read_mirrored(OctantRun& run, const Picture<const Element>& picture, int fi
     const Run<Element> texels{picture.at(side.texel(first, left), side.texel(row, above)),
                               left ? -picture.column_stride : picture.column_stride, picture.channel_stride,
                               picture.channels};
-    run.read((left ? column_bit : 0) | (above ? row_bit : 0) | other_bits, texels, faults);
+    const bool is_odd = side.size % 2 != 0;
+    const int copies = is_odd && above && row == 0 ? run.count : is_odd && left && first == 0 ? 1 : 0;
+    run.read((left ? column_bit : 0) | (above ? row_bit : 0) | other_bits, texels, faults, 0, copies);
   }
 }
 
@@ -254,6 +278,24 @@ void set_directions(OctantRun& run, const M& mapping, const Column& column, int 
   }
 }
 
+// The same in lanes. Lanes beyond the last repeat it.
+template <class Column>
+void set_directions(OctantRun& run, const AngularMap& mapping, const Column& column, int row, double share) {
+  constexpr int width = native_lanes_v<double>;
+  using L = Lanes<double, width>;
+  for (int i = 0; i < run.count; i += width) {
+    double columns[static_cast<std::size_t>(width)];
+    for (int lane = 0; lane < width; ++lane) columns[lane] = column(i + lane < run.count ? i + lane : run.count - 1);
+    L direction[3], solid_angle(0);
+    mapping.direction_and_solid_angle(L::load(columns), row, direction, solid_angle);
+    direction[0].store(run.x + i);
+    direction[1].store(run.y + i);
+    direction[2].store(run.z + i);
+    (L(share) * solid_angle).store(run.weight + i);
+    for (int lane = run.count - i; lane < width; ++lane) run.weight[i + lane] = 0;
+  }
+}
+
 // Of a disc, where columns go to the right, -y, and rows downwards, -z.
 template <int N, class Element, class M>
 void add_octants(const Environment<Element>& environment, const M& mapping, int begin, int end, PictureSums<N>& sums) {
@@ -300,14 +342,15 @@ void add_octants(const Environment<Element>& environment, const Octahedral& mapp
       if (first == 0) run.weight[0] *= side.share(0);
       read_mirrored(run, picture, first, row, 1, 2, 0, sums.faults);
       if (is_even) {
-        if (first + run.count == count) run.weight[run.count - 1] *= 0.5;
+        const int on_diagonal = first + run.count == count ? run.count - 1 : run.count;
+        if (on_diagonal < run.count) run.weight[on_diagonal] *= 0.5;
         for (int s = 0; s < 4; ++s) {
           const bool left = (s & 1) != 0, above = (s & 2) != 0;
           run.read(
               s | 4,
               Run<Element>{picture.at(side.texel(half - 1 - row, left), side.texel(half - 1 - first, above)),
                            above ? picture.row_stride : -picture.row_stride, picture.channel_stride, picture.channels},
-              sums.faults);
+              sums.faults, on_diagonal, run.count);
         }
       }
       octants.add(run);

@@ -242,10 +242,6 @@ class RowMoments {
       for (int i = at + count; i < padded; ++i) plane[i] = 0;
     }
   }
-  struct Reverse {
-    static constexpr int at(int lane) { return lanes - 1 - lane; }
-  };
-  ZONAL_INLINE static L reversed(const L& x) { return L::template shuffle<Reverse>(x, x); }
 
   template <int combination>
   void add(int begin, int steps) {

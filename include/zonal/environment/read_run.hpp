@@ -45,6 +45,15 @@ class RadianceCheck {
 };
 #endif
 
+template <int width>
+struct Backwards {
+  static constexpr int at(int lane) { return width - 1 - lane; }
+};
+template <class T, int width>
+ZONAL_INLINE inline Lanes<T, width> reversed(const Lanes<T, width>& x) {
+  return Lanes<T, width>::template shuffle<Backwards<width>>(x, x);
+}
+
 inline void expect_reads(const float* numbers, int count) {
 #if defined(__GNUC__)
   for (int i = 0; i < count; i += 16) __builtin_prefetch(numbers + i, 0, 2);
@@ -74,15 +83,17 @@ inline void read_run(const Run<Element>& run, int count, float* const (&planes)[
 #if defined(__GNUC__)
   if constexpr (std::is_same_v<Element, float>) {
     constexpr int width = native_lanes_v<float>;
-    if (run.channels == 3 && run.channel_stride == 1 && run.step == 3) {
+    const bool is_backward = run.step == -3;
+    if (run.channels == 3 && run.channel_stride == 1 && (run.step == 3 || is_backward)) {
       RadianceCheck<width> check;
       for (; done + width <= count; done += width) {
         Lanes<float, width> v[3];
-        expect_reads(run.first + 3 * done + ahead, 3 * width);
-        load_triples(run.first + 3 * done, v);
+        const float* const lowest = run.first + run.step * (is_backward ? done + width - 1 : done);
+        expect_reads(lowest + ahead, 3 * width);
+        load_triples(lowest, v);
         for (int c = 0; c < 3; ++c) {
           check.see(v[c]);
-          v[c].store(planes[c] + done);
+          (is_backward ? reversed(v[c]) : v[c]).store(planes[c] + done);
         }
       }
       if (check.has_doubts()) done = 0;

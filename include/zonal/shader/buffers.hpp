@@ -7,21 +7,20 @@
 //   layout(std430, binding = 0) readonly buffer Lights { float lights[]; };
 //   #define ZONAL_LIGHT(i) lights[i]
 //
-//   of                 floats                                                 read by (shells.hpp)
-//   HvlCache           ZONAL_LIGHT(i), light after light                      gather; of one band gather_diffuse
-//   MaterialTable      ZONAL_MATERIAL(i), two numbers, F, F'                  material_with_cosine,
-//   material_without_cosine CoefficientGrid    ZONAL_GRID(i), vertex after vertex interpolate_trilinear,
-//   interpolate_hermite
+//   of                 floats                                      read by (shells.hpp)
+//   HvlCache           ZONAL_LIGHT(i), light after light           gather; of one band gather_diffuse
+//   MaterialTable      ZONAL_MATERIAL(i), two numbers, F, F'       material_with_cosine, material_without_cosine
+//   CoefficientGrid    ZONAL_GRID(i), vertex after vertex          interpolate_trilinear, interpolate_hermite
 //
 // They need neither zonal-glsl nor a recorder: this header is for the program that draws.
 #pragma once
 
-#include <cassert>
 #include <vector>
 
 #include "../gather/hvl.hpp"
 #include "../grid/coefficient_grid.hpp"
 #include "../material/material_table.hpp"
+#include "../scalar/refuse.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
@@ -34,13 +33,15 @@ inline namespace ZONAL_TARGET {
 ///   6 to 8    tangent, unit: the direction to the primary light, projected on the tangent plane
 ///   9         radius, a length
 ///   10 on     emission: all of red, all of green, all of blue; degree l and order m of a colour, l + m even, m >= 0,
-///   at
-///             emission_index(l, m): (0, 0); with three bands (0, 0), (1, 1), (2, 0), (2, 2). Pi times the radiance.
+///             at emission_index(l, m): (0, 0); with three bands (0, 0), (1, 1), (2, 0), (2, 2). Pi times the radiance.
 ///
-/// Shaders have no gather of lights of anisotropic materials: the cache must not hold any.
+/// Shaders have no gather of lights of anisotropic materials: throws std::invalid_argument where the cache holds any;
+/// without exceptions it ends the program (refuse.hpp), so ask cache.anisotropic().size() first.
 template <int NE>
 std::vector<float> shader_buffer(const HvlCache<NE>& cache) {
-  assert(cache.anisotropic().size() == 0);
+  if (cache.anisotropic().size() != 0) {
+    detail::refuse("virtual lights of anisotropic materials, which shaders do not gather");
+  }
   return cache.isotropic().by_record();
 }
 

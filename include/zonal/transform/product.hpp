@@ -63,7 +63,7 @@ ZONAL_DEVICE constexpr Zh<N, detail::product_t<A, B>> product(const Zh<N, A>& a,
 /// The integral over the sphere of a b c: exact, for what the product loses beyond N bands c does not have.
 template <int N, class A, class B, class C>
 ZONAL_DEVICE constexpr auto triple_product(const Sh<N, A>& a, const Sh<N, B>& b, const Sh<N, C>& c) {
-  return dot(detail::product<N>(a, b), c);
+  return dot(product(a, b), c);
 }
 
 }  // namespace ZONAL_TARGET

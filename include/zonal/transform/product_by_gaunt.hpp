@@ -39,14 +39,13 @@ ZONAL_INLINE constexpr void give(C& sum, bool is_first, const A& value, const F&
 
 // Terms [first, last) of the table: `even` and `odd` times each coefficient to the cosine and the sine of their order.
 template <int first, int last, int order, int K, int N, class C>
-ZONAL_INLINE constexpr void give_terms(Sh<K, C>& sums, const C& even, const C& odd) {
+ZONAL_INLINE constexpr void give_terms(Sh<K, C>& sums, const C& value) {
   unroll<first, last>([&](auto t) ZONAL_INLINE {
     using Number = number_t<C>;
     constexpr int j = gaunt_table<N, K>.terms[t].j;
     constexpr bool is_first = gaunt_table<N, K>.terms[t].is_first;
     constexpr auto gaunt = rounded<Number>(gaunt_table<N, K>.terms[t].value);
-    give(sums.values[sh_index(j, order)], is_first, even, Number(gaunt));
-    if constexpr (order > 0) give(sums.values[sh_index(j, -order)], is_first, odd, Number(gaunt));
+    give(sums.values[sh_index(j, order)], is_first, value, Number(gaunt));
   });
 }
 
@@ -64,20 +63,19 @@ ZONAL_INLINE constexpr Sh<K, product_t<A, B>> product_by_gaunt(const Sh<N, A>& a
     if constexpr (pair.first == pair.last) {
       return;
     } else if constexpr (n == 0) {
-      const C cosines = symmetric_product<C>(a, b, cosine, other);
-      const C sines = m > 0 ? symmetric_product<C>(a, b, sine, other) : cosines;
-      give_terms<pair.first, pair.last, m, K, N>(sums, cosines, sines);
+      give_terms<pair.first, pair.last, m, K, N>(sums, symmetric_product<C>(a, b, cosine, other));
+      if constexpr (m > 0) give_terms<pair.first, pair.last, -m, K, N>(sums, symmetric_product<C>(a, b, sine, other));
     } else {
       const C cosines = symmetric_product<C>(a, b, cosine, other), sines = symmetric_product<C>(a, b, sine, other_sine);
       const C mixed = symmetric_product<C>(a, b, sine, other);
       const C mixed_again = symmetric_product<C>(a, b, cosine, other_sine);
       if constexpr (pair.first < pair.middle) {
-        const C odd = cosine == other ? mixed : mixed + mixed_again;
-        give_terms<pair.first, pair.middle, m + n, K, N>(sums, difference(cosines, sines), odd);
+        give_terms<pair.first, pair.middle, m + n, K, N>(sums, difference(cosines, sines));
+        give_terms<pair.first, pair.middle, -m - n, K, N>(sums, cosine == other ? mixed : mixed + mixed_again);
       }
       if constexpr (pair.middle < pair.last) {
-        const C even = cosines + sines, odd = m > n ? difference(mixed, mixed_again) : even;
-        give_terms<pair.middle, pair.last, m - n, K, N>(sums, even, odd);
+        give_terms<pair.middle, pair.last, m - n, K, N>(sums, cosines + sines);
+        if constexpr (m > n) give_terms<pair.middle, pair.last, n - m, K, N>(sums, difference(mixed, mixed_again));
       }
     }
   });

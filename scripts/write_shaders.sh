@@ -11,7 +11,7 @@ for name in evaluate evaluate_with_gradient reconstruct reconstruct_colour recon
   cap cap_up_to_hemisphere sphere_cap phong spherical_gaussian project_sphere; do
   for bands in 2 3 4 5; do functions="$functions,$name@$bands"; done
 done
-for name in product product_colour triple_product; do  # they grow fast
+for name in rotate_about_z prepare_rotation rotate rotate_colour product product_colour triple_product; do  # they grow fast
   for bands in 2 3; do functions="$functions,$name@$bands"; done
 done
 

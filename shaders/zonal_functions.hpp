@@ -1,5 +1,5 @@
-// zonal 0.2.0, C++ and CUDA. --bands 5 --functions evaluate@2,evaluate@3,evaluate@4,evaluate@5,evaluate_with_gradient@2,evaluate_with_gradient@3,evaluate_with_gradient@4,evaluate_with_gradient@5,reconstruct@2,reconstruct@3,reconstruct@4,reconstruct@5,reconstruct_colour@2,reconstruct_colour@3,reconstruct_colour@4,reconstruct_colour@5,reconstruct_lambert@2,reconstruct_lambert@3,reconstruct_lambert@4,reconstruct_lambert@5,reconstruct_lambert_colour@2,reconstruct_lambert_colour@3,reconstruct_lambert_colour@4,reconstruct_lambert_colour@5,orient@2,orient@3,orient@4,orient@5,orient_colour@2,orient_colour@3,orient_colour@4,orient_colour@5,dot@2,dot@3,dot@4,dot@5,dot_colour@2,dot_colour@3,dot_colour@4,dot_colour@5,dot_colours@2,dot_colours@3,dot_colours@4,dot_colours@5,convolve@2,convolve@3,convolve@4,convolve@5,convolve_colour@2,convolve_colour@3,convolve_colour@4,convolve_colour@5,lambert@2,lambert@3,lambert@4,lambert@5,cap@2,cap@3,cap@4,cap@5,cap_up_to_hemisphere@2,cap_up_to_hemisphere@3,cap_up_to_hemisphere@4,cap_up_to_hemisphere@5,sphere_cap@2,sphere_cap@3,sphere_cap@4,sphere_cap@5,phong@2,phong@3,phong@4,phong@5,spherical_gaussian@2,spherical_gaussian@3,spherical_gaussian@4,spherical_gaussian@5,project_sphere@2,project_sphere@3,project_sphere@4,project_sphere@5,product@2,product@3,product_colour@2,product_colour@3,triple_product@2,triple_product@3
-// 86 functions, 5759 operations. Written by zonal-glsl: do not edit.
+// zonal 0.2.0, C++ and CUDA. --bands 5 --functions evaluate@2,evaluate@3,evaluate@4,evaluate@5,evaluate_with_gradient@2,evaluate_with_gradient@3,evaluate_with_gradient@4,evaluate_with_gradient@5,reconstruct@2,reconstruct@3,reconstruct@4,reconstruct@5,reconstruct_colour@2,reconstruct_colour@3,reconstruct_colour@4,reconstruct_colour@5,reconstruct_lambert@2,reconstruct_lambert@3,reconstruct_lambert@4,reconstruct_lambert@5,reconstruct_lambert_colour@2,reconstruct_lambert_colour@3,reconstruct_lambert_colour@4,reconstruct_lambert_colour@5,orient@2,orient@3,orient@4,orient@5,orient_colour@2,orient_colour@3,orient_colour@4,orient_colour@5,dot@2,dot@3,dot@4,dot@5,dot_colour@2,dot_colour@3,dot_colour@4,dot_colour@5,dot_colours@2,dot_colours@3,dot_colours@4,dot_colours@5,convolve@2,convolve@3,convolve@4,convolve@5,convolve_colour@2,convolve_colour@3,convolve_colour@4,convolve_colour@5,lambert@2,lambert@3,lambert@4,lambert@5,cap@2,cap@3,cap@4,cap@5,cap_up_to_hemisphere@2,cap_up_to_hemisphere@3,cap_up_to_hemisphere@4,cap_up_to_hemisphere@5,sphere_cap@2,sphere_cap@3,sphere_cap@4,sphere_cap@5,phong@2,phong@3,phong@4,phong@5,spherical_gaussian@2,spherical_gaussian@3,spherical_gaussian@4,spherical_gaussian@5,project_sphere@2,project_sphere@3,project_sphere@4,project_sphere@5,rotate_about_z@2,rotate_about_z@3,prepare_rotation@2,prepare_rotation@3,rotate@2,rotate@3,rotate_colour@2,rotate_colour@3,product@2,product@3,product_colour@2,product_colour@3,triple_product@2,triple_product@3
+// 94 functions, 6277 operations. Written by zonal-glsl: do not edit.
 #include <math.h>
 #ifndef ZONAL_FUNCTION
 #ifdef __CUDACC__
@@ -2698,6 +2698,275 @@ ZONAL_FUNCTION void zonal_project_sphere_5(const float (&center)[3], float radiu
   sh[22] = t47 * (t49 * t37);
   sh[23] = t47 * (t48 * t46);
   sh[24] = t47 * (0.6258357f * (t25 * t46 - t23 * t42));
+}
+#endif
+
+#ifndef ZONAL_ROTATE_ABOUT_Z_2
+#define ZONAL_ROTATE_ABOUT_Z_2
+// A function turned about z, from x towards y.
+// 6 operations: 2 additions, 4 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+ZONAL_FUNCTION void zonal_rotate_about_z_2(const float (&sh)[4], const float (&angle)[2], float (&result)[4]) {
+  result[0] = sh[0];
+  result[1] = angle[0] * sh[1] + angle[1] * sh[3];
+  result[2] = sh[2];
+  result[3] = angle[0] * sh[3] - angle[1] * sh[1];
+}
+#endif
+
+#ifndef ZONAL_ROTATE_ABOUT_Z_3
+#define ZONAL_ROTATE_ABOUT_Z_3
+// A function turned about z, from x towards y.
+// 23 operations: 8 additions, 15 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+ZONAL_FUNCTION void zonal_rotate_about_z_3(const float (&sh)[9], const float (&angle)[2], float (&result)[9]) {
+  result[0] = sh[0];
+  result[1] = angle[0] * sh[1] + angle[1] * sh[3];
+  result[2] = sh[2];
+  result[3] = angle[0] * sh[3] - angle[1] * sh[1];
+  const float t0 = angle[0] * angle[0] - angle[1] * angle[1];
+  const float t1 = angle[0] * angle[1];
+  const float t2 = t1 + t1;
+  result[4] = t0 * sh[4] + t2 * sh[8];
+  result[5] = angle[0] * sh[5] + angle[1] * sh[7];
+  result[6] = sh[6];
+  result[7] = angle[0] * sh[7] - angle[1] * sh[5];
+  result[8] = t0 * sh[8] - t2 * sh[4];
+}
+#endif
+
+#ifndef ZONAL_PREPARE_ROTATION_2
+#define ZONAL_PREPARE_ROTATION_2
+// What rotate takes: cosines and sines of m = 1, 2, ... of three turns. By a quaternion, w first, of any length but 0.
+// 45 operations: 10 additions, 18 multiplications, 3 divisions, 2 square roots, 12 comparisons and choices.
+ZONAL_FUNCTION void zonal_prepare_rotation_2(const float (&quaternion)[4], float (&turns)[6]) {
+  const float t0 = quaternion[0] * quaternion[0] + quaternion[3] * quaternion[3];
+  const bool is_1 = 1.1754944e-38f < t0;
+  const float t2 = is_1 ? 1.0f / sqrtf(is_1 ? t0 : 1.0f) : 0.0f;
+  const bool is_3 = 0.0f < t2;
+  const float t4 = is_3 ? quaternion[0] * t2 : 1.0f;
+  const float t5 = quaternion[1] * quaternion[1] + quaternion[2] * quaternion[2];
+  const bool is_6 = 1.1754944e-38f < t5;
+  const float t7 = is_6 ? 1.0f / sqrtf(is_6 ? t5 : 1.0f) : 0.0f;
+  const bool is_8 = 0.0f < t7;
+  const float t9 = is_8 ? quaternion[2] * t7 : 1.0f;
+  const float t10 = t4 * t9;
+  const float t11 = is_3 ? quaternion[3] * t2 : 0.0f;
+  const float t12 = is_8 ? -(quaternion[1] * t7) : 0.0f;
+  const float t13 = t11 * t12;
+  turns[0] = t10 + t13;
+  const float t14 = t11 * t9;
+  const float t15 = t4 * t12;
+  turns[1] = t14 - t15;
+  const float t16 = 1.0f / (t0 + t5);
+  turns[2] = (t0 - t5) * t16;
+  turns[3] = -(2.0f * (t0 * t2) * (t5 * t7) * t16);
+  turns[4] = t10 - t13;
+  turns[5] = t14 + t15;
+}
+#endif
+
+#ifndef ZONAL_PREPARE_ROTATION_3
+#define ZONAL_PREPARE_ROTATION_3
+// What rotate takes: cosines and sines of m = 1, 2, ... of three turns. By a quaternion, w first, of any length but 0.
+// 60 operations: 16 additions, 27 multiplications, 3 divisions, 2 square roots, 12 comparisons and choices.
+ZONAL_FUNCTION void zonal_prepare_rotation_3(const float (&quaternion)[4], float (&turns)[12]) {
+  const float t0 = quaternion[0] * quaternion[0] + quaternion[3] * quaternion[3];
+  const bool is_1 = 1.1754944e-38f < t0;
+  const float t2 = is_1 ? 1.0f / sqrtf(is_1 ? t0 : 1.0f) : 0.0f;
+  const bool is_3 = 0.0f < t2;
+  const float t4 = is_3 ? quaternion[0] * t2 : 1.0f;
+  const float t5 = quaternion[1] * quaternion[1] + quaternion[2] * quaternion[2];
+  const bool is_6 = 1.1754944e-38f < t5;
+  const float t7 = is_6 ? 1.0f / sqrtf(is_6 ? t5 : 1.0f) : 0.0f;
+  const bool is_8 = 0.0f < t7;
+  const float t9 = is_8 ? quaternion[2] * t7 : 1.0f;
+  const float t10 = t4 * t9;
+  const float t11 = is_3 ? quaternion[3] * t2 : 0.0f;
+  const float t12 = is_8 ? -(quaternion[1] * t7) : 0.0f;
+  const float t13 = t11 * t12;
+  const float t14 = t10 + t13;
+  turns[0] = t14;
+  const float t15 = t11 * t9;
+  const float t16 = t4 * t12;
+  const float t17 = t15 - t16;
+  turns[1] = t17;
+  turns[2] = t14 * t14 - t17 * t17;
+  const float t18 = t14 * t17;
+  turns[3] = t18 + t18;
+  const float t19 = 1.0f / (t0 + t5);
+  const float t20 = (t0 - t5) * t19;
+  turns[4] = t20;
+  const float t21 = -(2.0f * (t0 * t2) * (t5 * t7) * t19);
+  turns[5] = t21;
+  turns[6] = t20 * t20 - t21 * t21;
+  const float t22 = t20 * t21;
+  turns[7] = t22 + t22;
+  const float t23 = t10 - t13;
+  turns[8] = t23;
+  const float t24 = t15 + t16;
+  turns[9] = t24;
+  turns[10] = t23 * t23 - t24 * t24;
+  const float t25 = t23 * t24;
+  turns[11] = t25 + t25;
+}
+#endif
+
+#ifndef ZONAL_ROTATE_2
+#define ZONAL_ROTATE_2
+// A function rotated, as prepare_rotation prepares it.
+// 22 operations: 6 additions, 16 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+ZONAL_FUNCTION void zonal_rotate_2(const float (&sh)[4], const float (&turns)[6], float (&result)[4]) {
+  result[0] = sh[0];
+  const float t0 = -1.0f * (-1.0f * (turns[0] * sh[1] + turns[1] * sh[3]));
+  const float t1 = turns[0] * sh[3] - turns[1] * sh[1];
+  const float t2 = -1.0f * sh[2];
+  const float t3 = turns[2] * t1 - turns[3] * t2;
+  result[1] = turns[4] * t0 + turns[5] * t3;
+  result[2] = -1.0f * (turns[2] * t2 + turns[3] * t1);
+  result[3] = turns[4] * t3 - turns[5] * t0;
+}
+#endif
+
+#ifndef ZONAL_ROTATE_3
+#define ZONAL_ROTATE_3
+// A function rotated, as prepare_rotation prepares it.
+// 74 operations: 22 additions, 52 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+ZONAL_FUNCTION void zonal_rotate_3(const float (&sh)[9], const float (&turns)[12], float (&result)[9]) {
+  result[0] = sh[0];
+  const float t0 = -1.0f * (-1.0f * (turns[0] * sh[1] + turns[1] * sh[3]));
+  const float t1 = turns[0] * sh[3] - turns[1] * sh[1];
+  const float t2 = -1.0f * sh[2];
+  const float t3 = turns[4] * t1 - turns[5] * t2;
+  result[1] = turns[8] * t0 + turns[9] * t3;
+  result[2] = -1.0f * (turns[4] * t2 + turns[5] * t1);
+  result[3] = turns[8] * t3 - turns[9] * t0;
+  const float t4 = -1.0f * (turns[2] * sh[4] + turns[3] * sh[8]);
+  const float t5 = turns[0] * sh[5] + turns[1] * sh[7];
+  const float t6 = -1.0f * (turns[4] * t4 - turns[5] * t5);
+  const float t7 = turns[2] * sh[8] - turns[3] * sh[4];
+  const float t8 = -0.5f * sh[6] + -0.8660254f * t7;
+  const float t9 = -0.8660254f * sh[6] + 0.5f * t7;
+  const float t10 = -1.0f * (turns[0] * sh[7] - turns[1] * sh[5]);
+  const float t11 = turns[6] * t9 - turns[7] * t10;
+  const float t12 = -0.8660254f * t8 + 0.5f * t11;
+  result[4] = turns[10] * t6 + turns[11] * t12;
+  const float t13 = turns[4] * t5 + turns[5] * t4;
+  const float t14 = -1.0f * (turns[6] * t10 + turns[7] * t9);
+  result[5] = turns[8] * t13 + turns[9] * t14;
+  result[6] = -0.5f * t8 + -0.8660254f * t11;
+  result[7] = turns[8] * t14 - turns[9] * t13;
+  result[8] = turns[10] * t12 - turns[11] * t6;
+}
+#endif
+
+#ifndef ZONAL_ROTATE_COLOUR_2
+#define ZONAL_ROTATE_COLOUR_2
+// A function rotated, as prepare_rotation prepares it. For colours.
+// 66 operations: 18 additions, 48 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+ZONAL_FUNCTION void zonal_rotate_colour_2(const float (&sh)[4][3], const float (&turns)[6], float (&result)[4][3]) {
+  result[0][0] = sh[0][0];
+  result[0][1] = sh[0][1];
+  result[0][2] = sh[0][2];
+  const float t0 = -1.0f * (-1.0f * (turns[0] * sh[1][0] + turns[1] * sh[3][0]));
+  const float t1 = turns[0] * sh[3][0] - turns[1] * sh[1][0];
+  const float t2 = -1.0f * sh[2][0];
+  const float t3 = turns[2] * t1 - turns[3] * t2;
+  result[1][0] = turns[4] * t0 + turns[5] * t3;
+  const float t4 = -1.0f * (-1.0f * (turns[0] * sh[1][1] + turns[1] * sh[3][1]));
+  const float t5 = turns[0] * sh[3][1] - turns[1] * sh[1][1];
+  const float t6 = -1.0f * sh[2][1];
+  const float t7 = turns[2] * t5 - turns[3] * t6;
+  result[1][1] = turns[4] * t4 + turns[5] * t7;
+  const float t8 = -1.0f * (-1.0f * (turns[0] * sh[1][2] + turns[1] * sh[3][2]));
+  const float t9 = turns[0] * sh[3][2] - turns[1] * sh[1][2];
+  const float t10 = -1.0f * sh[2][2];
+  const float t11 = turns[2] * t9 - turns[3] * t10;
+  result[1][2] = turns[4] * t8 + turns[5] * t11;
+  result[2][0] = -1.0f * (turns[2] * t2 + turns[3] * t1);
+  result[2][1] = -1.0f * (turns[2] * t6 + turns[3] * t5);
+  result[2][2] = -1.0f * (turns[2] * t10 + turns[3] * t9);
+  result[3][0] = turns[4] * t3 - turns[5] * t0;
+  result[3][1] = turns[4] * t7 - turns[5] * t4;
+  result[3][2] = turns[4] * t11 - turns[5] * t8;
+}
+#endif
+
+#ifndef ZONAL_ROTATE_COLOUR_3
+#define ZONAL_ROTATE_COLOUR_3
+// A function rotated, as prepare_rotation prepares it. For colours.
+// 222 operations: 66 additions, 156 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+ZONAL_FUNCTION void zonal_rotate_colour_3(const float (&sh)[9][3], const float (&turns)[12], float (&result)[9][3]) {
+  result[0][0] = sh[0][0];
+  result[0][1] = sh[0][1];
+  result[0][2] = sh[0][2];
+  const float t0 = -1.0f * (-1.0f * (turns[0] * sh[1][0] + turns[1] * sh[3][0]));
+  const float t1 = turns[0] * sh[3][0] - turns[1] * sh[1][0];
+  const float t2 = -1.0f * sh[2][0];
+  const float t3 = turns[4] * t1 - turns[5] * t2;
+  result[1][0] = turns[8] * t0 + turns[9] * t3;
+  const float t4 = -1.0f * (-1.0f * (turns[0] * sh[1][1] + turns[1] * sh[3][1]));
+  const float t5 = turns[0] * sh[3][1] - turns[1] * sh[1][1];
+  const float t6 = -1.0f * sh[2][1];
+  const float t7 = turns[4] * t5 - turns[5] * t6;
+  result[1][1] = turns[8] * t4 + turns[9] * t7;
+  const float t8 = -1.0f * (-1.0f * (turns[0] * sh[1][2] + turns[1] * sh[3][2]));
+  const float t9 = turns[0] * sh[3][2] - turns[1] * sh[1][2];
+  const float t10 = -1.0f * sh[2][2];
+  const float t11 = turns[4] * t9 - turns[5] * t10;
+  result[1][2] = turns[8] * t8 + turns[9] * t11;
+  result[2][0] = -1.0f * (turns[4] * t2 + turns[5] * t1);
+  result[2][1] = -1.0f * (turns[4] * t6 + turns[5] * t5);
+  result[2][2] = -1.0f * (turns[4] * t10 + turns[5] * t9);
+  result[3][0] = turns[8] * t3 - turns[9] * t0;
+  result[3][1] = turns[8] * t7 - turns[9] * t4;
+  result[3][2] = turns[8] * t11 - turns[9] * t8;
+  const float t12 = -1.0f * (turns[2] * sh[4][0] + turns[3] * sh[8][0]);
+  const float t13 = turns[0] * sh[5][0] + turns[1] * sh[7][0];
+  const float t14 = -1.0f * (turns[4] * t12 - turns[5] * t13);
+  const float t15 = turns[2] * sh[8][0] - turns[3] * sh[4][0];
+  const float t16 = -0.5f * sh[6][0] + -0.8660254f * t15;
+  const float t17 = -0.8660254f * sh[6][0] + 0.5f * t15;
+  const float t18 = -1.0f * (turns[0] * sh[7][0] - turns[1] * sh[5][0]);
+  const float t19 = turns[6] * t17 - turns[7] * t18;
+  const float t20 = -0.8660254f * t16 + 0.5f * t19;
+  result[4][0] = turns[10] * t14 + turns[11] * t20;
+  const float t21 = -1.0f * (turns[2] * sh[4][1] + turns[3] * sh[8][1]);
+  const float t22 = turns[0] * sh[5][1] + turns[1] * sh[7][1];
+  const float t23 = -1.0f * (turns[4] * t21 - turns[5] * t22);
+  const float t24 = turns[2] * sh[8][1] - turns[3] * sh[4][1];
+  const float t25 = -0.5f * sh[6][1] + -0.8660254f * t24;
+  const float t26 = -0.8660254f * sh[6][1] + 0.5f * t24;
+  const float t27 = -1.0f * (turns[0] * sh[7][1] - turns[1] * sh[5][1]);
+  const float t28 = turns[6] * t26 - turns[7] * t27;
+  const float t29 = -0.8660254f * t25 + 0.5f * t28;
+  result[4][1] = turns[10] * t23 + turns[11] * t29;
+  const float t30 = -1.0f * (turns[2] * sh[4][2] + turns[3] * sh[8][2]);
+  const float t31 = turns[0] * sh[5][2] + turns[1] * sh[7][2];
+  const float t32 = -1.0f * (turns[4] * t30 - turns[5] * t31);
+  const float t33 = turns[2] * sh[8][2] - turns[3] * sh[4][2];
+  const float t34 = -0.5f * sh[6][2] + -0.8660254f * t33;
+  const float t35 = -0.8660254f * sh[6][2] + 0.5f * t33;
+  const float t36 = -1.0f * (turns[0] * sh[7][2] - turns[1] * sh[5][2]);
+  const float t37 = turns[6] * t35 - turns[7] * t36;
+  const float t38 = -0.8660254f * t34 + 0.5f * t37;
+  result[4][2] = turns[10] * t32 + turns[11] * t38;
+  const float t39 = turns[4] * t13 + turns[5] * t12;
+  const float t40 = -1.0f * (turns[6] * t18 + turns[7] * t17);
+  result[5][0] = turns[8] * t39 + turns[9] * t40;
+  const float t41 = turns[4] * t22 + turns[5] * t21;
+  const float t42 = -1.0f * (turns[6] * t27 + turns[7] * t26);
+  result[5][1] = turns[8] * t41 + turns[9] * t42;
+  const float t43 = turns[4] * t31 + turns[5] * t30;
+  const float t44 = -1.0f * (turns[6] * t36 + turns[7] * t35);
+  result[5][2] = turns[8] * t43 + turns[9] * t44;
+  result[6][0] = -0.5f * t16 + -0.8660254f * t19;
+  result[6][1] = -0.5f * t25 + -0.8660254f * t28;
+  result[6][2] = -0.5f * t34 + -0.8660254f * t37;
+  result[7][0] = turns[8] * t40 - turns[9] * t39;
+  result[7][1] = turns[8] * t42 - turns[9] * t41;
+  result[7][2] = turns[8] * t44 - turns[9] * t43;
+  result[8][0] = turns[10] * t20 - turns[11] * t14;
+  result[8][1] = turns[10] * t29 - turns[11] * t23;
+  result[8][2] = turns[10] * t38 - turns[11] * t32;
 }
 #endif
 

@@ -2727,15 +2727,15 @@ void zonal_prepare_rotation_3(in float quaternion[4], out float turns[12]) {
 #ifndef ZONAL_ROTATE_2
 #define ZONAL_ROTATE_2
 // A function rotated, as prepare_rotation prepares it.
-// 22 operations: 6 additions, 16 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+// 22 operations: 10 additions, 12 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
 void zonal_rotate_2(in float sh[4], in float turns[6], out float result[4]) {
   result[0] = sh[0];
-  float t0 = -1.0f * (-1.0f * (turns[0] * sh[1] + turns[1] * sh[3]));
+  float t0 = -(-(turns[0] * sh[1] + turns[1] * sh[3]));
   float t1 = turns[0] * sh[3] - turns[1] * sh[1];
-  float t2 = -1.0f * sh[2];
+  float t2 = -sh[2];
   float t3 = turns[2] * t1 - turns[3] * t2;
   result[1] = turns[4] * t0 + turns[5] * t3;
-  result[2] = -1.0f * (turns[2] * t2 + turns[3] * t1);
+  result[2] = -(turns[2] * t2 + turns[3] * t1);
   result[3] = turns[4] * t3 - turns[5] * t0;
 }
 #endif
@@ -2743,15 +2743,15 @@ void zonal_rotate_2(in float sh[4], in float turns[6], out float result[4]) {
 #ifndef ZONAL_ROTATE_3
 #define ZONAL_ROTATE_3
 // A function rotated, as prepare_rotation prepares it.
-// 74 operations: 22 additions, 52 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+// 74 operations: 26 additions, 48 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
 void zonal_rotate_3(in float sh[9], in float turns[12], out float result[9]) {
   result[0] = sh[0];
-  float t0 = -1.0f * (-1.0f * (turns[0] * sh[1] + turns[1] * sh[3]));
+  float t0 = -(-(turns[0] * sh[1] + turns[1] * sh[3]));
   float t1 = turns[0] * sh[3] - turns[1] * sh[1];
-  float t2 = -1.0f * sh[2];
+  float t2 = -sh[2];
   float t3 = turns[4] * t1 - turns[5] * t2;
   result[1] = turns[8] * t0 + turns[9] * t3;
-  result[2] = -1.0f * (turns[4] * t2 + turns[5] * t1);
+  result[2] = -(turns[4] * t2 + turns[5] * t1);
   result[3] = turns[8] * t3 - turns[9] * t0;
   float t4 = -1.0f * (turns[2] * sh[4] + turns[3] * sh[8]);
   float t5 = turns[0] * sh[5] + turns[1] * sh[7];
@@ -2775,29 +2775,29 @@ void zonal_rotate_3(in float sh[9], in float turns[12], out float result[9]) {
 #ifndef ZONAL_ROTATE_COLOUR_2
 #define ZONAL_ROTATE_COLOUR_2
 // A function rotated, as prepare_rotation prepares it. For colours.
-// 66 operations: 18 additions, 48 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+// 66 operations: 30 additions, 36 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
 void zonal_rotate_colour_2(in vec3 sh[4], in float turns[6], out vec3 result[4]) {
   result[0].x = sh[0].x;
   result[0].y = sh[0].y;
   result[0].z = sh[0].z;
-  float t0 = -1.0f * (-1.0f * (turns[0] * sh[1].x + turns[1] * sh[3].x));
+  float t0 = -(-(turns[0] * sh[1].x + turns[1] * sh[3].x));
   float t1 = turns[0] * sh[3].x - turns[1] * sh[1].x;
-  float t2 = -1.0f * sh[2].x;
+  float t2 = -sh[2].x;
   float t3 = turns[2] * t1 - turns[3] * t2;
   result[1].x = turns[4] * t0 + turns[5] * t3;
-  float t4 = -1.0f * (-1.0f * (turns[0] * sh[1].y + turns[1] * sh[3].y));
+  float t4 = -(-(turns[0] * sh[1].y + turns[1] * sh[3].y));
   float t5 = turns[0] * sh[3].y - turns[1] * sh[1].y;
-  float t6 = -1.0f * sh[2].y;
+  float t6 = -sh[2].y;
   float t7 = turns[2] * t5 - turns[3] * t6;
   result[1].y = turns[4] * t4 + turns[5] * t7;
-  float t8 = -1.0f * (-1.0f * (turns[0] * sh[1].z + turns[1] * sh[3].z));
+  float t8 = -(-(turns[0] * sh[1].z + turns[1] * sh[3].z));
   float t9 = turns[0] * sh[3].z - turns[1] * sh[1].z;
-  float t10 = -1.0f * sh[2].z;
+  float t10 = -sh[2].z;
   float t11 = turns[2] * t9 - turns[3] * t10;
   result[1].z = turns[4] * t8 + turns[5] * t11;
-  result[2].x = -1.0f * (turns[2] * t2 + turns[3] * t1);
-  result[2].y = -1.0f * (turns[2] * t6 + turns[3] * t5);
-  result[2].z = -1.0f * (turns[2] * t10 + turns[3] * t9);
+  result[2].x = -(turns[2] * t2 + turns[3] * t1);
+  result[2].y = -(turns[2] * t6 + turns[3] * t5);
+  result[2].z = -(turns[2] * t10 + turns[3] * t9);
   result[3].x = turns[4] * t3 - turns[5] * t0;
   result[3].y = turns[4] * t7 - turns[5] * t4;
   result[3].z = turns[4] * t11 - turns[5] * t8;
@@ -2807,29 +2807,29 @@ void zonal_rotate_colour_2(in vec3 sh[4], in float turns[6], out vec3 result[4])
 #ifndef ZONAL_ROTATE_COLOUR_3
 #define ZONAL_ROTATE_COLOUR_3
 // A function rotated, as prepare_rotation prepares it. For colours.
-// 222 operations: 66 additions, 156 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+// 222 operations: 78 additions, 144 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
 void zonal_rotate_colour_3(in vec3 sh[9], in float turns[12], out vec3 result[9]) {
   result[0].x = sh[0].x;
   result[0].y = sh[0].y;
   result[0].z = sh[0].z;
-  float t0 = -1.0f * (-1.0f * (turns[0] * sh[1].x + turns[1] * sh[3].x));
+  float t0 = -(-(turns[0] * sh[1].x + turns[1] * sh[3].x));
   float t1 = turns[0] * sh[3].x - turns[1] * sh[1].x;
-  float t2 = -1.0f * sh[2].x;
+  float t2 = -sh[2].x;
   float t3 = turns[4] * t1 - turns[5] * t2;
   result[1].x = turns[8] * t0 + turns[9] * t3;
-  float t4 = -1.0f * (-1.0f * (turns[0] * sh[1].y + turns[1] * sh[3].y));
+  float t4 = -(-(turns[0] * sh[1].y + turns[1] * sh[3].y));
   float t5 = turns[0] * sh[3].y - turns[1] * sh[1].y;
-  float t6 = -1.0f * sh[2].y;
+  float t6 = -sh[2].y;
   float t7 = turns[4] * t5 - turns[5] * t6;
   result[1].y = turns[8] * t4 + turns[9] * t7;
-  float t8 = -1.0f * (-1.0f * (turns[0] * sh[1].z + turns[1] * sh[3].z));
+  float t8 = -(-(turns[0] * sh[1].z + turns[1] * sh[3].z));
   float t9 = turns[0] * sh[3].z - turns[1] * sh[1].z;
-  float t10 = -1.0f * sh[2].z;
+  float t10 = -sh[2].z;
   float t11 = turns[4] * t9 - turns[5] * t10;
   result[1].z = turns[8] * t8 + turns[9] * t11;
-  result[2].x = -1.0f * (turns[4] * t2 + turns[5] * t1);
-  result[2].y = -1.0f * (turns[4] * t6 + turns[5] * t5);
-  result[2].z = -1.0f * (turns[4] * t10 + turns[5] * t9);
+  result[2].x = -(turns[4] * t2 + turns[5] * t1);
+  result[2].y = -(turns[4] * t6 + turns[5] * t5);
+  result[2].z = -(turns[4] * t10 + turns[5] * t9);
   result[3].x = turns[8] * t3 - turns[9] * t0;
   result[3].y = turns[8] * t7 - turns[9] * t4;
   result[3].z = turns[8] * t11 - turns[9] * t8;

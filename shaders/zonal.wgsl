@@ -2482,28 +2482,28 @@ fn zonal_prepare_rotation_3(quaternion: array<f32, 4>, turns: ptr<function, arra
 }
 
 // A function rotated, as prepare_rotation prepares it.
-// 22 operations: 6 additions, 16 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+// 22 operations: 10 additions, 12 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
 fn zonal_rotate_2(sh: array<f32, 4>, turns: array<f32, 6>, result: ptr<function, array<f32, 4>>) {
   (*result)[0] = sh[0];
-  let t0 = -1.0f * (-1.0f * (turns[0] * sh[1] + turns[1] * sh[3]));
+  let t0 = -(-(turns[0] * sh[1] + turns[1] * sh[3]));
   let t1 = turns[0] * sh[3] - turns[1] * sh[1];
-  let t2 = -1.0f * sh[2];
+  let t2 = -sh[2];
   let t3 = turns[2] * t1 - turns[3] * t2;
   (*result)[1] = turns[4] * t0 + turns[5] * t3;
-  (*result)[2] = -1.0f * (turns[2] * t2 + turns[3] * t1);
+  (*result)[2] = -(turns[2] * t2 + turns[3] * t1);
   (*result)[3] = turns[4] * t3 - turns[5] * t0;
 }
 
 // A function rotated, as prepare_rotation prepares it.
-// 74 operations: 22 additions, 52 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+// 74 operations: 26 additions, 48 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
 fn zonal_rotate_3(sh: array<f32, 9>, turns: array<f32, 12>, result: ptr<function, array<f32, 9>>) {
   (*result)[0] = sh[0];
-  let t0 = -1.0f * (-1.0f * (turns[0] * sh[1] + turns[1] * sh[3]));
+  let t0 = -(-(turns[0] * sh[1] + turns[1] * sh[3]));
   let t1 = turns[0] * sh[3] - turns[1] * sh[1];
-  let t2 = -1.0f * sh[2];
+  let t2 = -sh[2];
   let t3 = turns[4] * t1 - turns[5] * t2;
   (*result)[1] = turns[8] * t0 + turns[9] * t3;
-  (*result)[2] = -1.0f * (turns[4] * t2 + turns[5] * t1);
+  (*result)[2] = -(turns[4] * t2 + turns[5] * t1);
   (*result)[3] = turns[8] * t3 - turns[9] * t0;
   let t4 = -1.0f * (turns[2] * sh[4] + turns[3] * sh[8]);
   let t5 = turns[0] * sh[5] + turns[1] * sh[7];
@@ -2524,58 +2524,58 @@ fn zonal_rotate_3(sh: array<f32, 9>, turns: array<f32, 12>, result: ptr<function
 }
 
 // A function rotated, as prepare_rotation prepares it. For colours.
-// 66 operations: 18 additions, 48 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+// 66 operations: 30 additions, 36 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
 fn zonal_rotate_colour_2(sh: array<vec3<f32>, 4>, turns: array<f32, 6>, result: ptr<function, array<vec3<f32>, 4>>) {
   (*result)[0].x = sh[0].x;
   (*result)[0].y = sh[0].y;
   (*result)[0].z = sh[0].z;
-  let t0 = -1.0f * (-1.0f * (turns[0] * sh[1].x + turns[1] * sh[3].x));
+  let t0 = -(-(turns[0] * sh[1].x + turns[1] * sh[3].x));
   let t1 = turns[0] * sh[3].x - turns[1] * sh[1].x;
-  let t2 = -1.0f * sh[2].x;
+  let t2 = -sh[2].x;
   let t3 = turns[2] * t1 - turns[3] * t2;
   (*result)[1].x = turns[4] * t0 + turns[5] * t3;
-  let t4 = -1.0f * (-1.0f * (turns[0] * sh[1].y + turns[1] * sh[3].y));
+  let t4 = -(-(turns[0] * sh[1].y + turns[1] * sh[3].y));
   let t5 = turns[0] * sh[3].y - turns[1] * sh[1].y;
-  let t6 = -1.0f * sh[2].y;
+  let t6 = -sh[2].y;
   let t7 = turns[2] * t5 - turns[3] * t6;
   (*result)[1].y = turns[4] * t4 + turns[5] * t7;
-  let t8 = -1.0f * (-1.0f * (turns[0] * sh[1].z + turns[1] * sh[3].z));
+  let t8 = -(-(turns[0] * sh[1].z + turns[1] * sh[3].z));
   let t9 = turns[0] * sh[3].z - turns[1] * sh[1].z;
-  let t10 = -1.0f * sh[2].z;
+  let t10 = -sh[2].z;
   let t11 = turns[2] * t9 - turns[3] * t10;
   (*result)[1].z = turns[4] * t8 + turns[5] * t11;
-  (*result)[2].x = -1.0f * (turns[2] * t2 + turns[3] * t1);
-  (*result)[2].y = -1.0f * (turns[2] * t6 + turns[3] * t5);
-  (*result)[2].z = -1.0f * (turns[2] * t10 + turns[3] * t9);
+  (*result)[2].x = -(turns[2] * t2 + turns[3] * t1);
+  (*result)[2].y = -(turns[2] * t6 + turns[3] * t5);
+  (*result)[2].z = -(turns[2] * t10 + turns[3] * t9);
   (*result)[3].x = turns[4] * t3 - turns[5] * t0;
   (*result)[3].y = turns[4] * t7 - turns[5] * t4;
   (*result)[3].z = turns[4] * t11 - turns[5] * t8;
 }
 
 // A function rotated, as prepare_rotation prepares it. For colours.
-// 222 operations: 66 additions, 156 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+// 222 operations: 78 additions, 144 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
 fn zonal_rotate_colour_3(sh: array<vec3<f32>, 9>, turns: array<f32, 12>, result: ptr<function, array<vec3<f32>, 9>>) {
   (*result)[0].x = sh[0].x;
   (*result)[0].y = sh[0].y;
   (*result)[0].z = sh[0].z;
-  let t0 = -1.0f * (-1.0f * (turns[0] * sh[1].x + turns[1] * sh[3].x));
+  let t0 = -(-(turns[0] * sh[1].x + turns[1] * sh[3].x));
   let t1 = turns[0] * sh[3].x - turns[1] * sh[1].x;
-  let t2 = -1.0f * sh[2].x;
+  let t2 = -sh[2].x;
   let t3 = turns[4] * t1 - turns[5] * t2;
   (*result)[1].x = turns[8] * t0 + turns[9] * t3;
-  let t4 = -1.0f * (-1.0f * (turns[0] * sh[1].y + turns[1] * sh[3].y));
+  let t4 = -(-(turns[0] * sh[1].y + turns[1] * sh[3].y));
   let t5 = turns[0] * sh[3].y - turns[1] * sh[1].y;
-  let t6 = -1.0f * sh[2].y;
+  let t6 = -sh[2].y;
   let t7 = turns[4] * t5 - turns[5] * t6;
   (*result)[1].y = turns[8] * t4 + turns[9] * t7;
-  let t8 = -1.0f * (-1.0f * (turns[0] * sh[1].z + turns[1] * sh[3].z));
+  let t8 = -(-(turns[0] * sh[1].z + turns[1] * sh[3].z));
   let t9 = turns[0] * sh[3].z - turns[1] * sh[1].z;
-  let t10 = -1.0f * sh[2].z;
+  let t10 = -sh[2].z;
   let t11 = turns[4] * t9 - turns[5] * t10;
   (*result)[1].z = turns[8] * t8 + turns[9] * t11;
-  (*result)[2].x = -1.0f * (turns[4] * t2 + turns[5] * t1);
-  (*result)[2].y = -1.0f * (turns[4] * t6 + turns[5] * t5);
-  (*result)[2].z = -1.0f * (turns[4] * t10 + turns[5] * t9);
+  (*result)[2].x = -(turns[4] * t2 + turns[5] * t1);
+  (*result)[2].y = -(turns[4] * t6 + turns[5] * t5);
+  (*result)[2].z = -(turns[4] * t10 + turns[5] * t9);
   (*result)[3].x = turns[8] * t3 - turns[9] * t0;
   (*result)[3].y = turns[8] * t7 - turns[9] * t4;
   (*result)[3].z = turns[8] * t11 - turns[9] * t8;

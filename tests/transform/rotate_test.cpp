@@ -297,12 +297,20 @@ TEST_CASE("The derivative of a rotation") {
   CHECK(distance(commutator, derivative.z) <= 1e-14);
 }
 
-TEST_CASE("What is no rotation") {
-  const float nan = std::numeric_limits<float>::quiet_NaN();
+TEST_CASE("What is no number, or nothing, gives no numbers") {
   const Sh<3, float> f{{1, 2, 3, 4, 5, 6, 7, 8, 9}};
-  const auto broken =
-      rotate(f, Rotation<3, float>::from_axes(Vector{double(nan), 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}));
-  CHECK(std::isnan(broken[1] + broken[2] + broken[3]));
-  const auto nothing = rotate(f, Rotation<3, float>::from_quaternion(0, 0, 0, 0));
-  for (const float coefficient : nothing) CHECK(std::isfinite(coefficient));
+  const auto check = [&](const Rotation<3, float>& rotation) {
+    const Sh<3, float> rotated = rotate(f, rotation);
+    for (int i = 1; i < 9; ++i) CHECK(std::isnan(rotated[i]));
+  };
+  for (const double wrong : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    for (int place = 0; place < 9; ++place) {
+      Frame frame = frame_of(0.3, 1.1, -0.7);
+      frame.axes[place / 3][place % 3] = wrong;
+      CAPTURE(place, wrong);
+      check(rotation_of<3, float>(frame));
+    }
+  }
+  check(rotation_of<3, float>(Frame{}));
+  check(Rotation<3, float>::from_quaternion(0, 0, 0, 0));
 }

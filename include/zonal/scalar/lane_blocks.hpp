@@ -6,9 +6,9 @@
 
 #include "lanes.hpp"
 
-#if defined(__GNUC__) && defined(__AVX__)
+#if defined(ZONAL_COMPILER_VECTORS) && defined(__AVX__)
 #include <immintrin.h>
-#elif defined(__GNUC__) && defined(__SSE2__)
+#elif defined(ZONAL_COMPILER_VECTORS) && defined(__SSE2__)
 #include <emmintrin.h>
 #endif
 
@@ -24,21 +24,21 @@ inline constexpr int chunk_v = static_cast<int>(16 / sizeof(T));
 template <class T, int width>
 ZONAL_INLINE inline void stream(const Lanes<T, width>& lanes, T* target) {
   [[maybe_unused]] constexpr auto bytes = sizeof(lanes);
-#if defined(__GNUC__) && defined(__AVX512F__)
+#if defined(ZONAL_COMPILER_VECTORS) && defined(__AVX512F__)
   if constexpr (bytes == 64)
     return _mm512_stream_si512(reinterpret_cast<__m512i*>(target), lanes.template as<__m512i>());
 #endif
-#if defined(__GNUC__) && defined(__AVX__)
+#if defined(ZONAL_COMPILER_VECTORS) && defined(__AVX__)
   if constexpr (bytes == 32)
     return _mm256_stream_si256(reinterpret_cast<__m256i*>(target), lanes.template as<__m256i>());
 #endif
-#if defined(__GNUC__) && defined(__SSE2__)
+#if defined(ZONAL_COMPILER_VECTORS) && defined(__SSE2__)
   if constexpr (bytes == 16) return _mm_stream_si128(reinterpret_cast<__m128i*>(target), lanes.template as<__m128i>());
 #endif
   lanes.store(target);
 }
 inline void finish_streams() {
-#if defined(__GNUC__) && defined(__SSE2__)
+#if defined(ZONAL_COMPILER_VECTORS) && defined(__SSE2__)
   _mm_sfence();
 #endif
 }
@@ -48,7 +48,7 @@ template <class T, int width>
 ZONAL_INLINE inline Lanes<T, width> load_chunks(const T* source, std::size_t stride) {
   constexpr int chunks = width / chunk_v<T>;
   const auto chunk = [&](std::size_t i) ZONAL_INLINE { return source + i * stride; };
-#if defined(__GNUC__) && defined(__AVX512F__)
+#if defined(ZONAL_COMPILER_VECTORS) && defined(__AVX512F__)
   if constexpr (chunks == 4) {
     __m512 r = _mm512_castps128_ps512(_mm_loadu_ps(reinterpret_cast<const float*>(chunk(0))));
     r = _mm512_insertf32x4(r, _mm_loadu_ps(reinterpret_cast<const float*>(chunk(1))), 1);
@@ -57,7 +57,7 @@ ZONAL_INLINE inline Lanes<T, width> load_chunks(const T* source, std::size_t str
     return Lanes<T, width>::from(r);
   }
 #endif
-#if defined(__GNUC__) && defined(__AVX__)
+#if defined(ZONAL_COMPILER_VECTORS) && defined(__AVX__)
   if constexpr (chunks == 2) {
     const __m256 low = _mm256_castps128_ps256(_mm_loadu_ps(reinterpret_cast<const float*>(chunk(0))));
     return Lanes<T, width>::from(_mm256_insertf128_ps(low, _mm_loadu_ps(reinterpret_cast<const float*>(chunk(1))), 1));

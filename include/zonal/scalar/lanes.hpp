@@ -11,6 +11,14 @@
 namespace zonal {
 inline namespace ZONAL_TARGET {
 
+// The compiler's own vectors; nvcc knows them, but not all that is done with them.
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define ZONAL_COMPILER_VECTORS
+inline constexpr bool kLanesAreRegisters = true;
+#else
+inline constexpr bool kLanesAreRegisters = false;
+#endif
+
 /// Floats in one register of the target this file is compiled for: 16 with AVX-512, 8 with AVX, else 4.
 #if defined(__AVX512F__)
 inline constexpr int kNativeLanes = 16;
@@ -29,7 +37,7 @@ template <class T, int count>
 class Lanes {
   static_assert(is_builtin_scalar_v<T> && count >= 1 && (count & (count - 1)) == 0, "2, 4, 8 ... built-in scalars");
   static constexpr auto bytes = static_cast<std::size_t>(count) * sizeof(T);
-#if defined(__GNUC__)
+#if defined(ZONAL_COMPILER_VECTORS)
   typedef T Vector __attribute__((vector_size(bytes)));
   // Where any numbers stand. (A memcpy to and from it costs GCC registers.)
   typedef T InMemory __attribute__((vector_size(bytes), aligned(alignof(T)), may_alias));
@@ -46,7 +54,7 @@ class Lanes {
   Lanes() = default;
   template <class C, class = std::enable_if_t<std::is_arithmetic_v<C>>>
   ZONAL_INLINE explicit Lanes(C constant) {
-#if defined(__GNUC__)
+#if defined(ZONAL_COMPILER_VECTORS)
     values_ = static_cast<T>(constant) - Vector{};
 #else
     for (T& number : values_.numbers) number = static_cast<T>(constant);
@@ -59,7 +67,7 @@ class Lanes {
     return x;
   }
   ZONAL_INLINE void store(T* target) const { *reinterpret_cast<InMemory*>(target) = values_; }
-#if defined(__GNUC__)
+#if defined(ZONAL_COMPILER_VECTORS)
   /// The same bits as one of the compiler's own vector types, and back.
   template <class V>
   ZONAL_INLINE V as() const {
@@ -74,7 +82,7 @@ class Lanes {
   /// *this += a * b, in one rounding where the target has such an operation.
   ZONAL_INLINE void add_product(const Lanes& a, const Lanes& b) { *this = *this + a * b; }
 
-#if defined(__GNUC__)
+#if defined(ZONAL_COMPILER_VECTORS)
   ZONAL_INLINE friend Lanes operator-(const Lanes& a) { return Lanes(-a.values_); }
   ZONAL_INLINE friend Lanes operator+(const Lanes& a, const Lanes& b) { return Lanes(a.values_ + b.values_); }
   ZONAL_INLINE friend Lanes operator-(const Lanes& a, const Lanes& b) { return Lanes(a.values_ - b.values_); }
@@ -101,7 +109,7 @@ class Lanes {
   }
 
  private:
-#if defined(__GNUC__)
+#if defined(ZONAL_COMPILER_VECTORS)
   ZONAL_INLINE explicit Lanes(const Vector& values) : values_(values) {}
 
   template <class At, int... i>

@@ -37,7 +37,7 @@ struct CosineAndSine {
 /// 1 / sqrt(length2); of what is so small that it is no normal number, 0.
 template <class T>
 ZONAL_INLINE constexpr T inverse_length(const T& length2) {
-  constexpr auto smallest = std::numeric_limits<lane_t<T>>::min();
+  constexpr auto smallest = (std::numeric_limits<lane_t<T>>::min)();
   const auto is_there = T(smallest) < length2;
   return select(is_there, T(1) / sqrt(select(is_there, length2, T(1))), T(0));
 }
@@ -92,7 +92,15 @@ ZONAL_INLINE constexpr void swap_degree(const C* in, C* out) {
   using Number = number_t<C>;
   unroll<-l, l + 1>([&](auto m) ZONAL_INLINE {
     constexpr auto first = rounded<Number>(swap_matrix<l>(m, swap_order(l, m, 0)));
-    C sum = times(Number(first), in[l + swap_order(l, m, 0)]);
+    const C& value = in[l + swap_order(l, m, 0)];
+    if constexpr (l == 1 && first > 0) {
+      out[l + m] = value;
+      return;
+    } else if constexpr (l == 1 && !is_colour_v<C>) {
+      out[l + m] = -value;
+      return;
+    }
+    C sum = times(Number(first), value);
     unroll<1, swap_terms(l, m)>([&](auto i) ZONAL_INLINE {
       constexpr int k = swap_order(l, m, i);
       constexpr auto entry = rounded<Number>(swap_matrix<l>(m, k));
@@ -133,7 +141,7 @@ class Rotation {
                     parity);
   }
 
-  /// By a quaternion w + x i + y j + z k, of any length but 0: d becomes q d q^-1.
+  /// By a quaternion w + x i + y j + z k, of any length but 0, which gives no numbers: d becomes q d q^-1.
   ZONAL_INLINE static constexpr Rotation from_quaternion(const T& w, const T& x, const T& y, const T& z) {
     // By the half sums: (w, z) is cos(b/2) times the cosine and sine of (a + c)/2, (y, -x) sin(b/2) times those of
     // (a - c)/2. Nothing cancels.
@@ -260,7 +268,7 @@ template <int N, class C, int M, class T>
 ZONAL_DEVICE constexpr Sh<N, C> rotate(const Sh<N, C>& f, const Rotation<M, T>& rotation) {
   static_assert(N <= M, "the rotation is prepared for fewer bands than the function has");
   Sh<N, C> r;
-  if constexpr (N > 1 && detail::plain_length_v<C> == 3) {
+  if constexpr (kLanesAreRegisters && N > 1 && detail::plain_length_v<C> == 3) {
     detail::store_lanes(rotate(detail::as_lanes(f), rotation), r);
     return r;
   }

@@ -311,6 +311,9 @@ TEST_CASE("What is no number, or nothing, gives no numbers") {
       check(rotation_of<3, float>(frame));
     }
   }
-  check(rotation_of<3, float>(Frame{}));
-  check(Rotation<3, float>::from_quaternion(0, 0, 0, 0));
+  for (const auto& nothing : {rotation_of<3, float>(Frame{}), Rotation<3, float>::from_quaternion(0, 0, 0, 0)}) {
+    const Sh<3, float> rotated = rotate(f, nothing);  // in every degree
+    CHECK(std::isnan(rotated[1] + rotated[2] + rotated[3]));
+    CHECK(std::isnan(rotated[4] + rotated[5] + rotated[6] + rotated[7] + rotated[8]));
+  }
 }

@@ -16,15 +16,11 @@
 #include <vector>
 
 #include "../scalar/for_each.hpp"
+#include "../transform/sample.hpp"
 #include "environment.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
-
-/// A direction and its density, 1/sr.
-struct DrawnDirection {
-  double x, y, z, pdf;
-};
 
 namespace detail {
 
@@ -82,7 +78,7 @@ class EnvironmentSampler {
   double integral() const { return total_; }
 
   /// u and v in [0, 1), uniform and independent.
-  DrawnDirection sample(double u, double v) const {
+  DirectionSample<double> sample(double u, double v) const {
     return visit([&](const auto& mapping) { return sample(mapping, u, v); });
   }
 
@@ -91,7 +87,7 @@ class EnvironmentSampler {
   double pdf(const Direction& direction) const {
     return visit([&](const auto& mapping) {
       const std::array<double, 2> place = mapping.texel(direction);
-      return pdf_of(mapping, texel_at(place[0], environment_.width()), texel_at(place[1], environment_.height()));
+      return pdf_of(mapping, int(place[0]), int(place[1]));
     });
   }
 
@@ -104,7 +100,6 @@ class EnvironmentSampler {
   auto visit(const Visit& visit) const {
     return std::visit(visit, mapping_);
   }
-  static int texel_at(double place, int size) { return (std::min)(int(place), size - 1); }
   static double share(double part, double whole) { return (std::min)((std::max)(part / whole, 0.0), 1 - 0x1p-53); }
 
   double luminance(int column, int row) const {
@@ -142,7 +137,7 @@ class EnvironmentSampler {
   }
 
   template <class M>
-  DrawnDirection sample(const M& mapping, double u, double v) const {
+  DirectionSample<double> sample(const M& mapping, double u, double v) const {
     const std::size_t row = detail::find_share(row_sums_, 0, row_sums_.size(), u * total_);
     const double above = row > 0 ? row_sums_[row - 1] : 0.0;
     const double in_row = share(u * total_ - above, row_sums_[row] - above);
@@ -166,7 +161,7 @@ class EnvironmentSampler {
 
   /// Uniform in solid angle over the texel.
   template <class M>
-  DrawnDirection within(const M& mapping, int column, int row, double u, double v) const {
+  DirectionSample<double> within(const M& mapping, int column, int row, double u, double v) const {
     detail::FurtherUniform further(u, v);
     const double densest = mapping.densest(column, row);
     double x = column + u, y = row + v;

@@ -12,6 +12,7 @@
 
 #include "../basis/evaluate.hpp"
 #include "../basis/normalisation.hpp"
+#include "dot.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
@@ -88,15 +89,15 @@ class ShSampler {
     });
     const auto circle = [&](T at) { return before(a, b, at); };
     const T phi = a[0] > T(0) ? detail::solve_increasing(circle, v, turn_ * a[0], T(0), turn_) : v * turn_;
-    const T x = sine * std::cos(phi), y = sine * std::sin(phi);
-    return {x, y, z, density(x, y, z)};
+    const detail::Direction3<T> direction{sine * std::cos(phi), sine * std::sin(phi), z};
+    return {direction.x, direction.y, direction.z, pdf(direction)};
   }
 
   /// The density, 1/sr, of a unit vector.
   template <class Direction>
   T pdf(const Direction& direction) const {
-    const auto d = detail::as_direction<T>(direction);
-    return density(d.x, d.y, d.z);
+    const T value = reconstruct(f_, detail::as_direction<T>(direction));
+    return value > T(0) ? value : T(0);
   }
 
  private:
@@ -126,12 +127,6 @@ class ShSampler {
       c = next;
     }
     return sum;
-  }
-
-  T density(T x, T y, T z) const {
-    T sum = T(0);
-    evaluate<N>(x, y, z, [&](auto l, auto m, const T& value) { sum += f_.values[sh_index(l, m)] * value; });
-    return sum > T(0) ? sum : T(0);
   }
 
   Sh<N, T> f_{};          // of integral 1

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "chi_squared.hpp"
 
 namespace drawn {
 
@@ -44,35 +45,11 @@ std::vector<double> shares(int side, const Density& density) {
   return all;
 }
 
-/// The share of chi-squared's distribution above `statistic`, by Wilson and Hilferty's approximation.
-inline double probability_above(double statistic, double freedom) {
-  const double variance = 2 / (9 * freedom);
-  const double normal = (std::cbrt(statistic / freedom) - 1 + variance) / std::sqrt(variance);
-  return 0.5 * std::erfc(normal / std::sqrt(2.0));
-}
-
-/// How probable counts so far from those expected are. Cells that are expected to have few count as one.
+/// How probable counts so far from those expected are.
 inline double chi_squared_probability(const std::vector<double>& counts, const std::vector<double>& expected) {
-  constexpr double few = 10;
-  double statistic = 0, rest = 0, rest_expected = 0;
-  int freedom = -1;
-  const auto add = [&](double count, double mean) {
-    statistic += (count - mean) * (count - mean) / mean;
-    ++freedom;
-  };
-  for (std::size_t i = 0; i < expected.size(); ++i) {
-    if (expected[i] >= few) {
-      add(counts[i], expected[i]);
-    } else {
-      rest += counts[i], rest_expected += expected[i];
-    }
-  }
-  if (rest_expected >= few) {
-    add(rest, rest_expected);
-  } else {
-    CHECK(rest <= 4 * few);
-  }
-  return freedom > 0 ? probability_above(statistic, freedom) : 1.0;
+  const ChiSquared found(counts, expected);
+  if (!found.counts_rest()) CHECK(found.rest <= 40);
+  return found.freedom > 0 ? probability_above(found.statistic, found.freedom) : 1.0;
 }
 
 }  // namespace drawn

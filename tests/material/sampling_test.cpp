@@ -3,6 +3,7 @@
 #include <zonal/material/sheen.hpp>
 
 #include "../catch.hpp"
+#include "../chi_squared.hpp"
 #include "support.hpp"
 
 using namespace material_test;
@@ -72,30 +73,17 @@ TEST_CASE("sampling: directions are distributed as the pdf says, those lost belo
       counts.push_back(lost);
       probabilities.push_back(1.0 - total);
 
-      // Chi-square over the bins that expect at least 10, the others together as one. Its mean is the degrees
-      // of freedom f, its variance 2 f; five standard deviations fail once in a million, and the seed is
-      // fixed.
-      double chi2 = 0.0, rest_count = 0.0, rest_expected = 0.0;
-      int freedom = -1;
-      const auto add = [&](double count, double expected) {
-        chi2 += (count - expected) * (count - expected) / expected;
-        ++freedom;
-      };
-      for (std::size_t i = 0; i < counts.size(); ++i) {
-        const double expected = probabilities[i] * sample_count;
-        if (expected >= 10.0) {
-          add(counts[i], expected);
-        } else {
-          rest_count += counts[i];
-          rest_expected += expected;
-        }
-      }
-      if (rest_expected >= 10.0) add(rest_count, rest_expected);
+      std::vector<double> expected;
+      for (const double p : probabilities) expected.push_back(p * sample_count);
+      const ChiSquared found(counts, expected);
+      const double chi2 = found.statistic;
+      const int freedom = found.freedom;
+      // Five standard deviations fail once in a million, and the seed is fixed.
       CAPTURE(name, degrees, chi2, freedom, lost, total);
       CHECK(total < 1.0 + 1e-3);
       CHECK(freedom > 20);
       CHECK(chi2 < freedom + 5.0 * std::sqrt(2.0 * freedom));
-      if (rest_expected < 10.0) CHECK(rest_count < rest_expected + 25.0);
+      if (!found.counts_rest()) CHECK(found.rest < found.rest_expected + 25.0);
     }
   }
 }

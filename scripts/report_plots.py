@@ -257,12 +257,12 @@ def overview(folder):
         return
     figure, axes = panels(1, 3, height=2.9)
     axis = axes[0][0]
-    forms = {"gradient": (BLUE, "zonal"), "polynomial-gradient": (ORANGE, "polynomials"), "sloan-like": (RED, "by angles")}
-    for form, (colour, label) in forms.items():
+    forms = {"evaluate_with_gradient": "zonal", "polynomial_gradient": "polynomials", "sloan_like": "by angles"}
+    for form, label in forms.items():
         for scalar, dashes in (("float", "-"), ("packet", ":")):
             line = where(basis, quantity="gradient", form=form, scalar=scalar)
-            axis.plot([row["bands"] for row in line], [row["ns"] for row in line], dashes, color=colour,
-                      label=label if scalar == "float" else None)
+            axis.plot([row["bands"] for row in line], [row["ns"] for row in line], dashes,
+                      color=FORM_COLOUR[form], label=label if scalar == "float" else None)
     lanes = max(row["lanes"] for row in basis)
     axis.set(yscale="log", xlabel="bands", ylabel="ns per direction", title="basis and gradient")
     axis.plot([], [], ":", color="#666666", label=f"in packets of {lanes:.0f}")

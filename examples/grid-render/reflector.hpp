@@ -48,7 +48,7 @@ template <class Diffuse, class Glossy>
 glm::vec3 sum_of_lobes(const Hit& hit, const glm::vec3& outgoing, const Reflector& reflector, const Diffuse& diffuse,
                        const Glossy& glossy) {
   glm::vec3 sum(0.0f);
-  if (reflector.diffuse_albedo != glm::vec3(0.0f)) sum = reflector.diffuse_albedo * diffuse(hit.normal);
+  if (reflector.diffuse_albedo != glm::vec3(0.0f)) sum = reflector.diffuse_albedo * hit.colour * diffuse(hit.normal);
   const float cos_outgoing = glm::dot(hit.normal, outgoing);
   for (const GlossyLobe& lobe : reflector.glossy) {
     const glm::vec3 mirrored = glm::normalize(2.0f * cos_outgoing * hit.normal - outgoing);

@@ -19,8 +19,8 @@ struct CentreRay {
   }
 };
 
-/// A cache of lights and one of the library's gathers: a callable (cache, receiver, number of the material, number of
-/// the sample, visibility) -> radiance.
+/// A cache of lights and one of the library's gathers: a callable (cache, receiver, hit, number of the sample,
+/// visibility) -> radiance.
 template <class Cache, class Gather>
 class CachedGatherer final : public Gatherer {
  public:
@@ -31,7 +31,7 @@ class CachedGatherer final : public Gatherer {
     const zonal::Receiver receiver{hit.position, hit.normal, outgoing, hit.tangent};
     const CentreRay ray{input_.caster, hit};
     const bool is_asked = input_.options.centre_visibility;  // else all is visible
-    return gather_(cache_, receiver, hit.material, sample, is_asked ? zonal::Visibility(ray) : zonal::Visibility());
+    return gather_(cache_, receiver, hit, sample, is_asked ? zonal::Visibility(ray) : zonal::Visibility());
   }
 
  private:

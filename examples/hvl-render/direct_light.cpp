@@ -14,8 +14,7 @@ glm::vec3 unshadowed_radiance(const Scene& scene, const Hit& hit, const glm::vec
   const glm::vec3 intensity = scene.light.intensity_towards(-to_light);
   if (cosine <= 0.0f || intensity == glm::vec3(0.0f)) return glm::vec3(0.0f);
   const Frame frame(hit.normal, hit.tangent);
-  const zonal::Brdf& brdf = scene.materials[hit.material].brdf;
-  return zonal::evaluate(brdf, frame.to_local(to_light), frame.to_local(outgoing)) * intensity *
+  return zonal::evaluate(brdf_at(scene, hit), frame.to_local(to_light), frame.to_local(outgoing)) * intensity *
          (cosine / squared_distance);
 }
 

@@ -43,7 +43,8 @@ std::unique_ptr<Gatherer> make_hvl(const GatherInput& input) {
       constexpr int NE = ne;
       if constexpr (is_compiled(H, N, NE)) {
         const auto gather = [&tables = input.materials](const auto& cache, const zonal::Receiver& receiver,
-                                                        auto material, std::size_t, const zonal::Visibility& visible) {
+                                                        const Hit& hit, std::size_t, const zonal::Visibility& visible) {
+          const std::uint32_t material = hit.material;
           if (const auto& anisotropic = tables.anisotropic[material]) {
             return zonal::gather<N, NE, H>(cache, receiver, *anisotropic, visible);
           }

@@ -9,9 +9,9 @@ std::unique_ptr<Gatherer> make_hvl_zonal(const GatherInput& input) {
   zonal::dispatch_bands<1, compiled_zonal_bands.back()>(input.options.bands, [&](auto n) {
     constexpr int N = n;
     if constexpr (contains(compiled_zonal_bands, N)) {
-      const auto gather = [&tables = input.materials](const auto& cache, const zonal::Receiver& receiver, auto material,
-                                                      std::size_t, const zonal::Visibility& visible) {
-        return zonal::gather_hvl_zonal<N>(cache, receiver, tables.zonal[material], visible);
+      const auto gather = [&tables = input.materials](const auto& cache, const zonal::Receiver& receiver,
+                                                      const Hit& hit, std::size_t, const zonal::Visibility& visible) {
+        return zonal::gather_hvl_zonal<N>(cache, receiver, tables.zonal[hit.material], visible);
       };
       gatherer = make_cached(input, zonal::LightCache(lit(input.map)), gather);
     }

@@ -21,28 +21,28 @@ using zonal::Visibility;
 
 std::unique_ptr<Gatherer> make_vpl(const GatherInput& input) {
   const auto gather = [&scene = input.scene, clamp = input.options.vpl_clamp](const auto& cache,
-                                                                              const Receiver& receiver, auto material,
+                                                                              const Receiver& receiver, const Hit& hit,
                                                                               std::size_t, const Visibility& visible) {
-    return gather_vpl(cache, receiver, scene.materials[material].brdf, clamp, visible);
+    return gather_vpl(cache, receiver, brdf_at(scene, hit), clamp, visible);
   };
   return make_cached(input, zonal::LightCache(lit(input.map)), gather);
 }
 
 std::unique_ptr<Gatherer> make_vsl(const GatherInput& input) {
   const auto gather = [&scene = input.scene, samples = input.options.vsl_samples, seed = hash64(input.options.seed)](
-                          const auto& cache, const Receiver& receiver, auto material, std::size_t sample,
+                          const auto& cache, const Receiver& receiver, const Hit& hit, std::size_t sample,
                           const Visibility& visible) {
     Pcg32 random(seed ^ static_cast<std::uint64_t>(sample));
     const auto uniform = [&random] { return random.uniform(); };
-    return gather_vsl(cache, receiver, scene.materials[material].brdf, samples, uniform, visible);
+    return gather_vsl(cache, receiver, brdf_at(scene, hit), samples, uniform, visible);
   };
   return make_cached(input, zonal::LightCache(lit(input.map)), gather);
 }
 
 std::unique_ptr<Gatherer> make_vsgl(const GatherInput& input) {
-  const auto gather = [&scene = input.scene](const auto& cache, const Receiver& receiver, auto material, std::size_t,
+  const auto gather = [&scene = input.scene](const auto& cache, const Receiver& receiver, const Hit& hit, std::size_t,
                                              const Visibility& visible) {
-    return gather_vsgl(cache, receiver, scene.materials[material].brdf, visible);
+    return gather_vsgl(cache, receiver, brdf_at(scene, hit), visible);
   };
   const auto lights = zonal::make_gaussian_lights(input.map.lights.data(), input.map.side, block_side(input.options));
   return make_cached(input, zonal::GaussianCache(lights), gather);

@@ -92,7 +92,8 @@ void apply(const std::vector<MaterialChange>& changes, std::vector<Material>& ma
     bool found = false;
     for (Material& material : materials) {
       if (change.name != "*" && change.name != material.name) continue;
-      material = {material.name, changed.brdf, changed.file, material.emission};
+      // Its relief is the surface's; the picture has the colours of what is replaced.
+      material = {material.name, changed.brdf, changed.file, material.emission, {}, material.relief};
       found = true;
     }
     if (found) continue;

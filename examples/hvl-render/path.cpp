@@ -65,7 +65,7 @@ float PathTracer::spotlight_density(const Hit& from, const Hit& lit) const {
 glm::vec3 PathTracer::path_by_material(const Hit& start, const glm::vec3& to_camera, Pcg32& random, float u_lobe,
                                        const glm::vec2& u) const {
   Hit at = start;
-  Scattered scattered = scatter(scene_.materials[at.material].brdf, at, to_camera, u_lobe, u);
+  Scattered scattered = scatter(brdf_at(scene_, at), at, to_camera, u_lobe, u);
   glm::vec3 throughput(1.0f);
   glm::vec3 sum(0.0f);
   for (int bounce = 0;; ++bounce) {
@@ -80,7 +80,7 @@ glm::vec3 PathTracer::path_by_material(const Hit& start, const glm::vec3& to_cam
     throughput *= scattered.reflected / scattered.density;
     at = *next;
     const float next_u_lobe = random.uniform();
-    scattered = scatter(scene_.materials[at.material].brdf, at, outgoing, next_u_lobe, random.uniform2());
+    scattered = scatter(brdf_at(scene_, at), at, outgoing, next_u_lobe, random.uniform2());
   }
 }
 
@@ -91,7 +91,7 @@ glm::vec3 PathTracer::path_by_spotlight(const Hit& start, const glm::vec3& to_ca
   const float density = spotlight_density(start, *lit);
   if (density <= 0.0f) return none;
   const glm::vec3 direction = glm::normalize(lit->position - start.position);
-  const Scattered scattered = scatter_towards(scene_.materials[start.material].brdf, start, to_camera, direction);
+  const Scattered scattered = scatter_towards(brdf_at(scene_, start), start, to_camera, direction);
   if (scattered.reflected == none) return none;
   const glm::vec3 radiance = unshadowed_radiance(scene_, *lit, -direction);
   if (radiance == none || !caster_.visible(start, *lit)) return none;

@@ -1,5 +1,6 @@
 // The built-in scene: a hall with two arcades, an apse, and glossy things on its floor.
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include <glm/gtc/constants.hpp>
@@ -8,6 +9,8 @@
 #include "materials.hpp"
 #include "mesh_builder.hpp"
 #include "names.hpp"
+#include "noise.hpp"
+#include "tangents.hpp"
 
 namespace example {
 namespace {
@@ -91,7 +94,8 @@ void add_column(MeshBuilder& builder, const glm::vec3& foot) {
 void add_arcade(MeshBuilder& builder, float side) {
   constexpr float half_thickness = 0.28f;
   const float x = side * row_x;
-  for (int i = 0; i < columns_per_row; ++i) add_column(builder, {x, 0.0f, column_z(i)});
+  for (int i = 0; i < columns_per_row; ++i) add_column(builder.begin_mesh(), {x, 0.0f, column_z(i)});
+  builder.begin_mesh();
   for (int i = 0; i + 1 < columns_per_row; ++i) {
     const glm::vec3 foot(x - half_thickness, 0.0f, column_z(i));
     ArchedWall wall{foot, {0.0f, 0.0f, -1.0f}, column_spacing, column_height, column_height, arcade_height, 1.08f};
@@ -100,7 +104,7 @@ void add_arcade(MeshBuilder& builder, float side) {
     wall.left_foot.x = x + half_thickness;
     add_arched_wall(builder, wall);
   }
-  builder.box({x - 0.36f, arcade_height, back}, {x + 0.36f, arcade_height + 0.14f, front});
+  builder.begin_mesh().box({x - 0.36f, arcade_height, back}, {x + 0.36f, arcade_height + 0.14f, front});
   builder.box({x - 0.42f, arcade_height + 0.14f, back}, {x + 0.42f, arcade_height + 0.26f, front});
 }
 
@@ -129,7 +133,7 @@ void add_ceiling(MeshBuilder& builder) {
 
 /// The end wall, and behind its arch a half cylinder under a quarter sphere.
 void add_apse(MeshBuilder& builder, std::uint32_t wall_material, std::uint32_t niche_material) {
-  builder.use(wall_material);
+  builder.begin_mesh().use(wall_material);
   add_arched_wall(
       builder,
       {{-half_width, 0.0f, back}, {1.0f, 0.0f, 0.0f}, 2.0f * half_width, 0.0f, apse_spring, ceiling, apse_radius});
@@ -138,7 +142,7 @@ void add_apse(MeshBuilder& builder, std::uint32_t wall_material, std::uint32_t n
     return glm::vec3(-std::cos(angle), 0.0f, -std::sin(angle));
   };
   const glm::vec3 centre(0.0f, 0.0f, back);
-  builder.use(niche_material);
+  builder.begin_mesh().use(niche_material);
   builder.surface({64, 1}, [&](float u, float v) {
     return centre + apse_radius * arc(u) + glm::vec3(0.0f, apse_spring * v, 0.0f);
   });
@@ -147,7 +151,7 @@ void add_apse(MeshBuilder& builder, std::uint32_t wall_material, std::uint32_t n
     return centre + glm::vec3(0.0f, apse_spring + apse_radius * std::sin(rise), 0.0f) +
            apse_radius * std::cos(rise) * arc(u);
   });
-  builder.use(wall_material);
+  builder.begin_mesh().use(wall_material);
   builder.surface({64, 1}, [&](float u, float v) { return centre + apse_radius * v * arc(u); });
 }
 
@@ -195,26 +199,38 @@ void add_vase(MeshBuilder& builder, const glm::vec3& foot) {
 /// Adds materials to a scene; each returns the material's number.
 class Palette {
  public:
-  Palette(Scene& scene, AtriumFinish finish) : scene_(scene), finish_(finish) {}
+  Palette(Scene& scene, AtriumFinish finish)
+      : scene_(scene),
+        is_diffuse_(finish == AtriumFinish::diffuse),
+        is_glossy_(finish == AtriumFinish::glossy || finish == AtriumFinish::bumped_glossy),
+        is_bumped_(finish == AtriumFinish::bumped || finish == AtriumFinish::bumped_glossy) {}
+
+  bool is_bumped() const { return is_bumped_; }
 
   /// In the glossy atrium a lacquer, which mirrors a quarter of the light in the surface's own colour.
   std::uint32_t matte(const char* name, const glm::vec3& albedo) {
-    if (finish_ != AtriumFinish::glossy) return add(name, example::matte(albedo));
+    if (!is_glossy_) return add(name, example::matte(albedo));
     const zonal::SchlickFresnel lacquer{0.05f + 0.25f * albedo};
     return add(name, zonal::coated({0.2f, lacquer}, albedo));
   }
 
   /// In the glossy atrium the same lacquer.
   std::uint32_t coated(const char* name, const glm::vec3& albedo, float roughness) {
-    if (finish_ == AtriumFinish::diffuse) return add(name, example::matte(albedo));
-    return finish_ == AtriumFinish::glossy ? matte(name, albedo) : add(name, plastic(albedo, roughness));
+    if (is_diffuse_) return add(name, example::matte(albedo));
+    return is_glossy_ ? matte(name, albedo) : add(name, plastic(albedo, roughness));
   }
 
   /// In the diffuse atrium a paint of its colour.
   std::uint32_t metal(const char* name, float roughness) {
     const Metal& metal = *find_metal(name);
-    if (finish_ == AtriumFinish::diffuse) return add(name, example::matte(zonal::reflectance(metal.fresnel, 1.0f)));
+    if (is_diffuse_) return add(name, example::matte(zonal::reflectance(metal.fresnel, 1.0f)));
     return add(name, example::metal(metal, roughness));
+  }
+
+  /// In the bumped atria the material's surface gets this relief.
+  std::uint32_t bumped(std::uint32_t material, const Relief& relief) {
+    if (is_bumped_) scene_.materials[material].relief = relief;
+    return material;
   }
 
  private:
@@ -224,26 +240,41 @@ class Palette {
   }
 
   Scene& scene_;
-  AtriumFinish finish_;
+  bool is_diffuse_, is_glossy_, is_bumped_;
 };
 
+/// Rough plaster and hewn tiles: octaves of noise, that repeat every metre and a half. Their slopes are 25 degrees and
+/// more in most places.
+Relief rough_relief() {
+  constexpr int size = 512;
+  constexpr float metres = 1.5f;
+  static const auto heights = std::make_shared<const Texture>(noise_heights(size, 8, 4, 1));
+  Relief relief;
+  relief.map.texture = heights;
+  relief.map.scale = glm::vec2(1.0f / metres);
+  relief.strength = 0.12f;
+  return relief;
+}
+
 void add_hall(MeshBuilder& builder, Palette& palette) {
-  const std::uint32_t plaster = palette.matte("plaster", {0.86f, 0.83f, 0.77f});
-  const std::uint32_t terracotta = palette.matte("terracotta", {0.82f, 0.29f, 0.12f});
-  const std::uint32_t teal = palette.matte("teal", {0.12f, 0.54f, 0.56f});
+  const Relief rough = palette.is_bumped() ? rough_relief() : Relief();
+  const std::uint32_t plaster = palette.bumped(palette.matte("plaster", {0.86f, 0.83f, 0.77f}), rough);
+  const std::uint32_t terracotta = palette.bumped(palette.matte("terracotta", {0.82f, 0.29f, 0.12f}), rough);
+  const std::uint32_t teal = palette.bumped(palette.matte("teal", {0.12f, 0.54f, 0.56f}), rough);
   const std::uint32_t niche = palette.matte("niche", {0.34f, 0.50f, 0.76f});
-  const std::uint32_t light_tile = palette.coated("light tile", {0.70f, 0.65f, 0.56f}, 0.30f);
-  const std::uint32_t dark_tile = palette.coated("dark tile", {0.44f, 0.33f, 0.25f}, 0.30f);
+  const std::uint32_t light_tile = palette.bumped(palette.coated("light tile", {0.70f, 0.65f, 0.56f}, 0.30f), rough);
+  const std::uint32_t dark_tile = palette.bumped(palette.coated("dark tile", {0.44f, 0.33f, 0.25f}, 0.30f), rough);
   add_floor(builder, light_tile, dark_tile);
-  builder.use(plaster);
+  builder.begin_mesh().use(plaster);
   add_ceiling(builder);
-  builder.quad({-half_width, 0.0f, front}, {half_width, 0.0f, front}, {half_width, ceiling, front},
-               {-half_width, ceiling, front});
-  builder.use(terracotta)
+  builder.begin_mesh().quad({-half_width, 0.0f, front}, {half_width, 0.0f, front}, {half_width, ceiling, front},
+                            {-half_width, ceiling, front});
+  builder.begin_mesh()
+      .use(terracotta)
       .quad({-half_width, 0.0f, front}, {-half_width, 0.0f, back}, {-half_width, ceiling, back},
             {-half_width, ceiling, front});
-  builder.use(teal).quad({half_width, 0.0f, back}, {half_width, 0.0f, front}, {half_width, ceiling, front},
-                         {half_width, ceiling, back});
+  builder.begin_mesh().use(teal).quad({half_width, 0.0f, back}, {half_width, 0.0f, front}, {half_width, ceiling, front},
+                                      {half_width, ceiling, back});
   add_apse(builder, plaster, niche);
 }
 
@@ -251,11 +282,11 @@ void add_furniture(MeshBuilder& builder, Palette& palette, std::uint32_t stone) 
   const std::uint32_t gold = palette.metal("gold", 0.25f);
   const std::uint32_t red_plastic = palette.coated("red plastic", {0.60f, 0.045f, 0.04f}, 0.22f);
   const std::uint32_t porcelain = palette.coated("porcelain", {0.78f, 0.78f, 0.76f}, 0.18f);
-  add_pedestal(builder.use(stone), {0.0f, 0.0f, -5.9f}, 0.55f, 0.9f);
-  builder.use(gold).sphere({0.0f, 0.9f + 0.8f, -5.9f}, 0.8f, 128);
-  add_knot(builder.use(red_plastic), {-1.35f, 0.98f, -0.6f}, 0.30f, 0.17f, 0.5f);
-  builder.use(stone).box({1.15f, 0.0f, -1.75f}, {1.95f, 0.5f, -0.95f});
-  add_vase(builder.use(porcelain), {1.55f, 0.5f, -1.35f});
+  add_pedestal(builder.begin_mesh().use(stone), {0.0f, 0.0f, -5.9f}, 0.55f, 0.9f);
+  builder.begin_mesh().use(gold).sphere({0.0f, 0.9f + 0.8f, -5.9f}, 0.8f, 128);
+  add_knot(builder.begin_mesh().use(red_plastic), {-1.35f, 0.98f, -0.6f}, 0.30f, 0.17f, 0.5f);
+  builder.begin_mesh().use(stone).box({1.15f, 0.0f, -1.75f}, {1.95f, 0.5f, -0.95f});
+  add_vase(builder.begin_mesh().use(porcelain), {1.55f, 0.5f, -1.35f});
 }
 
 }  // namespace
@@ -265,12 +296,14 @@ Scene make_atrium(AtriumFinish finish) {
   scene.name = name_of(atrium_names, finish);
   Palette palette(scene, finish);
   MeshBuilder builder(scene.mesh);
+  if (palette.is_bumped()) builder.with_texture_coordinates();
   add_hall(builder, palette);
   const std::uint32_t stone = palette.matte("sandstone", {0.80f, 0.71f, 0.58f});
   builder.use(stone);
   add_arcade(builder, -1.0f);
   add_arcade(builder, 1.0f);
   add_furniture(builder, palette, stone);
+  set_tangents(scene.mesh);
 
   scene.camera = {{0.45f, 1.75f, 6.3f}, {-0.15f, 2.05f, -4.0f}, glm::radians(58.0f)};
   scene.light.position = {1.8f, 4.6f, 2.8f};

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <ImfChannelList.h>
@@ -26,18 +27,46 @@ namespace {
 template <class Sample>
 using StbSamples = std::unique_ptr<Sample, decltype(&stbi_image_free)>;
 
-/// load(path, width, height) of stb_image, and what a sample stands for.
-template <class Sample, class Value>
-Image read_by_stb(const std::string& path, Sample* (*load)(const char*, int*, int*, int*, int), const Value& value) {
+template <class Sample>
+struct StbPicture {
   int width = 0, height = 0, channels = 0;
-  const StbSamples<Sample> samples(load(path.c_str(), &width, &height, &channels, 3), &stbi_image_free);
-  if (!samples) throw InputError(path + ": cannot be read as a picture (" + one_line(stbi_failure_reason()) + ")");
-  Image image(width, height);
+  StbSamples<Sample> samples{nullptr, &stbi_image_free};
+
+  std::size_t size() const {
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(channels);
+  }
+};
+
+/// By a function of stb_image; with so many channels, whatever the file has.
+template <class Sample>
+StbPicture<Sample> read_by_stb(const std::string& path, Sample* (*load)(const char*, int*, int*, int*, int),
+                               int channels) {
+  StbPicture<Sample> picture;
+  int in_file = 0;
+  picture.samples.reset(load(path.c_str(), &picture.width, &picture.height, &in_file, channels));
+  if (!picture.samples) {
+    throw InputError(path + ": cannot be read as a picture (" + one_line(stbi_failure_reason()) + ")");
+  }
+  picture.channels = channels;
+  return picture;
+}
+
+/// value: what the three samples of a pixel stand for.
+template <class Sample, class Value>
+Image image_of(const StbPicture<Sample>& picture, const Value& value) {
+  Image image(picture.width, picture.height);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    const Sample* pixel = samples.get() + 3 * i;
+    const Sample* pixel = picture.samples.get() + 3 * i;
     image.pixels[i] = value(glm::vec3(pixel[0], pixel[1], pixel[2]));
   }
   return image;
+}
+
+template <class Sample, class Value>
+std::vector<float> floats_of(const StbPicture<Sample>& picture, const Value& value) {
+  std::vector<float> floats(picture.size());
+  std::transform(picture.samples.get(), picture.samples.get() + picture.size(), floats.begin(), value);
+  return floats;
 }
 
 const std::vector<const char*> colour_channels{"R", "G", "B"}, grey_channel{"Y"}, chroma_channels{"RY", "BY"};
@@ -154,9 +183,37 @@ Image read_picture(const std::filesystem::path& path) {
   check_is_file(path);
   const std::string name = path.string();
   if (stbi_is_hdr(name.c_str()) != 0) {
-    return read_by_stb<float>(name, stbi_loadf, [](const glm::vec3& radiance) { return radiance; });
+    return image_of(read_by_stb(name, stbi_loadf, 3), [](const glm::vec3& radiance) { return radiance; });
   }
-  return read_by_stb<stbi_uc>(name, stbi_load, [](const glm::vec3& bytes) { return decode_srgb(bytes / 255.0f); });
+  return image_of(read_by_stb(name, stbi_load, 3), [](const glm::vec3& bytes) { return decode_srgb(bytes / 255.0f); });
+}
+
+Texture read_texture(const std::filesystem::path& path, TextureUse use) {
+  if (path.extension() == ".exr") {
+    const Image image = read_exr(path);
+    std::vector<float> linear;
+    for (const glm::vec3& pixel : image.pixels) linear.insert(linear.end(), {pixel.r, pixel.g, pixel.b});
+    return {image.width, image.height, 3, std::move(linear)};
+  }
+  check_is_file(path);
+  const std::string name = path.string();
+  int width = 0, height = 0, in_file = 3;
+  stbi_info(name.c_str(), &width, &height, &in_file);
+  const int channels = in_file < 3 ? 1 : 3;
+  if (stbi_is_hdr(name.c_str()) != 0) {
+    const auto picture = read_by_stb(name, stbi_loadf, channels);
+    return {picture.width, picture.height, channels, floats_of(picture, [](float value) { return value; })};
+  }
+  if (stbi_is_16_bit(name.c_str()) != 0) {
+    const auto picture = read_by_stb(name, stbi_load_16, channels);
+    return {picture.width, picture.height, channels, floats_of(picture, [use](stbi_us sample) {
+              const float share = static_cast<float>(sample) / 65535.0f;
+              return use == TextureUse::colour ? decode_srgb(glm::vec3(share)).r : share;
+            })};
+  }
+  const auto picture = read_by_stb(name, stbi_load, channels);
+  return {
+      picture.width, picture.height, channels, {picture.samples.get(), picture.samples.get() + picture.size()}, use};
 }
 
 }  // namespace example

@@ -6,10 +6,27 @@
 #include <glm/gtc/constants.hpp>
 
 namespace example {
+namespace {
 
-std::uint32_t MeshBuilder::add_vertex(const glm::vec3& position, const glm::vec3& normal) {
+/// See MeshBuilder::quad.
+glm::vec2 flat_coordinates(const glm::vec3& position, const glm::vec3& normal) {
+  const glm::vec3 size = glm::abs(normal);
+  if (size.y >= std::max(size.x, size.z)) return {position.x, normal.y < 0.0f ? position.z : -position.z};
+  if (size.x >= size.z) return {normal.x < 0.0f ? position.z : -position.z, position.y};
+  return {normal.z < 0.0f ? -position.x : position.x, position.y};
+}
+
+}  // namespace
+
+MeshBuilder::MeshBuilder(Mesh& mesh) : mesh_(mesh), has_coordinates_(!mesh.texture_coordinates.empty()) {
+  for (const std::uint32_t number : mesh.triangle_meshes) mesh_number_ = std::max(mesh_number_, number + 1);
+}
+
+std::uint32_t MeshBuilder::add_vertex(const glm::vec3& position, const glm::vec3& normal,
+                                      const glm::vec2& coordinates) {
   mesh_.positions.push_back(position);
   mesh_.normals.push_back(normal);
+  if (has_coordinates_) mesh_.texture_coordinates.push_back(coordinates);
   return static_cast<std::uint32_t>(mesh_.positions.size() - 1);
 }
 
@@ -20,14 +37,13 @@ void MeshBuilder::add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c
   if (glm::dot(area, area) < 1e-18f) return;
   mesh_.triangles.emplace_back(a, b, c);
   mesh_.triangle_materials.push_back(material_);
+  mesh_.triangle_meshes.push_back(mesh_number_);
 }
 
 void MeshBuilder::quad(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d) {
   const glm::vec3 normal = glm::normalize(glm::cross(c - a, d - b));
-  const std::uint32_t first = add_vertex(a, normal);
-  add_vertex(b, normal);
-  add_vertex(c, normal);
-  add_vertex(d, normal);
+  const auto first = static_cast<std::uint32_t>(mesh_.positions.size());
+  for (const glm::vec3& corner : {a, b, c, d}) add_vertex(corner, normal, flat_coordinates(corner, normal));
   add_triangle(first, first + 1, first + 2);
   add_triangle(first, first + 2, first + 3);
 }

@@ -10,10 +10,23 @@
 
 namespace example {
 
-/// Adds simple solids to a mesh; angles in radians, lengths in metres.
+/// Adds simple solids to a mesh; angles in radians, lengths in metres. In a mesh with texture coordinates, those of
+/// quadrilaterals are metres (see quad), and those of everything else zero; set_tangents is left to the caller.
 class MeshBuilder {
  public:
-  explicit MeshBuilder(Mesh& mesh) : mesh_(mesh) {}
+  explicit MeshBuilder(Mesh& mesh);
+
+  /// Gives an empty mesh texture coordinates. A mesh that has some goes on with them anyway.
+  MeshBuilder& with_texture_coordinates() {
+    has_coordinates_ = true;
+    return *this;
+  }
+
+  /// What is added from now on is one more of the meshes.
+  MeshBuilder& begin_mesh() {
+    ++mesh_number_;
+    return *this;
+  }
 
   /// The material of everything added from now on.
   MeshBuilder& use(std::uint32_t material) {
@@ -21,7 +34,8 @@ class MeshBuilder {
     return *this;
   }
 
-  /// A flat quadrilateral, corners in order.
+  /// A flat quadrilateral, corners in order. Texture coordinates: two of x, y and z, those which the normal has least
+  /// of, turned so that the texture is not mirrored, and upright on walls.
   void quad(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d);
 
   void box(const glm::vec3& lower, const glm::vec3& upper);
@@ -48,11 +62,13 @@ class MeshBuilder {
                    int segments_around);
 
  private:
-  std::uint32_t add_vertex(const glm::vec3& position, const glm::vec3& normal);
+  std::uint32_t add_vertex(const glm::vec3& position, const glm::vec3& normal, const glm::vec2& coordinates = {});
   void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
 
   Mesh& mesh_;
   std::uint32_t material_ = 0;
+  std::uint32_t mesh_number_ = 0;
+  bool has_coordinates_ = false;
 };
 
 /// A rounded profile: a Catmull-Rom curve through the points, `steps` pieces between each pair.

@@ -10,16 +10,28 @@
 
 namespace example {
 
+/// A picture of a material, and where it lies: at scale * texture coordinates + offset.
+struct MtlMap {
+  std::string name;                           // as it stands there
+  std::optional<std::filesystem::path> file;  // none where there is no such file
+  glm::vec2 scale{1.0f}, offset{0.0f};        // -s, -o
+  bool clamped = false;                       // -clamp
+  float strength = 1.0f;                      // -bm
+};
+
 /// What a material file says of a material, as far as the programs follow it.
 struct MtlMaterial {
-  std::string name;                // as it stands there
-  glm::vec3 diffuse{0.7f};         // Kd; grey where there is none, or where a picture that is left out has the colour
-  glm::vec3 specular{0.0f};        // Ks
-  glm::vec3 emission{0.0f};        // Ke
-  std::optional<float> exponent;   // Ns
-  std::optional<float> roughness;  // Pr: perceptual, the square root of GGX's alpha
-  std::optional<float> metallic;   // Pm
-  int illumination = 2;            // illum
+  std::string name;                  // as it stands there
+  std::optional<glm::vec3> diffuse;  // Kd
+  glm::vec3 specular{0.0f};          // Ks
+  glm::vec3 emission{0.0f};          // Ke
+  std::optional<float> exponent;     // Ns
+  std::optional<float> roughness;    // Pr: perceptual, the square root of GGX's alpha
+  std::optional<float> metallic;     // Pm
+  int illumination = 2;              // illum
+  std::optional<MtlMap> colour;      // map_Kd
+  std::optional<MtlMap> normals;     // norm
+  std::optional<MtlMap> bump;        // map_Bump, map_bump, bump
 };
 
 /// The materials of files, by their names, the first of each name.

@@ -25,7 +25,9 @@ std::string name_of(const Names<Value>& names, Value value) {
 inline const Names<ToneMap> tone_names{{"filmic", ToneMap::filmic}, {"clamp", ToneMap::clamp}};
 inline const Names<AtriumFinish> atrium_names{{"atrium", AtriumFinish::mixed},
                                               {"atrium-diffuse", AtriumFinish::diffuse},
-                                              {"atrium-glossy", AtriumFinish::glossy}};
+                                              {"atrium-glossy", AtriumFinish::glossy},
+                                              {"atrium-bumped", AtriumFinish::bumped},
+                                              {"atrium-bumped-glossy", AtriumFinish::bumped_glossy}};
 inline const Names<UpAxis> up_names{{"y", UpAxis::y}, {"z", UpAxis::z}};
 inline const Names<ViewPlace> place_names{
     {"auto", ViewPlace::automatic}, {"inside", ViewPlace::inside}, {"outside", ViewPlace::outside}};

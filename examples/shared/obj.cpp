@@ -4,6 +4,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <variant>
@@ -11,10 +15,13 @@
 
 #include <zonal/material/energy.hpp>
 
+#include "image_file.hpp"
 #include "input_error.hpp"
 #include "materials.hpp"
 #include "obj_file.hpp"
 #include "scene_view.hpp"
+#include "statements.hpp"
+#include "tangents.hpp"
 #include "text_table.hpp"
 
 namespace example {
@@ -27,6 +34,7 @@ constexpr float cos_crease = 0.5f;
 // ---- Materials ------------------------------------------------------------------------------------------------------
 
 constexpr float default_exponent = 10.0f;
+constexpr glm::vec3 grey(0.7f);      // where a file says nothing
 constexpr float dielectric = 0.04f;  // the reflectance of what is no metal
 
 /// What a surface that reflects by illumination model 2 sends back of light along its normal. Ks is how bright the
@@ -43,15 +51,24 @@ zonal::Brdf varnished(const glm::vec3& diffuse, const zonal::GgxBrdf& gloss) {
   return zonal::coated(gloss, glm::clamp(diffuse / glm::max(1.0f - f0, 1e-6f), 0.0f, 1.0f));
 }
 
-Material make_material(const MtlMaterial& source) {
+/// Kd, and white or grey where there is none: a picture multiplies it. Black beside a picture is what some programs
+/// write for the picture alone, and stands for none.
+glm::vec3 diffuse_of(const MtlMaterial& source, bool has_picture) {
+  const bool is_meant = source.diffuse && !(source.colour && *source.diffuse == glm::vec3(0.0f));
+  return is_meant ? *source.diffuse : has_picture ? glm::vec3(1.0f) : grey;
+}
+
+/// The material, but for its pictures. tint: what the colour of a metal is multiplied by; a body's picture multiplies
+/// what this returns.
+Material make_material(const MtlMaterial& source, const glm::vec3& given_diffuse, const glm::vec3& tint) {
   const auto share = [](const glm::vec3& colour) { return glm::clamp(colour, 0.0f, 1.0f); };
   const float exponent = std::max(source.exponent.value_or(default_exponent), 0.0f);
   // GGX alpha: of the width of the exponent's lobe, or the PBR extension's roughness squared.
   float roughness = std::sqrt(2.0f / (exponent + 2.0f));
-  glm::vec3 specular = share(source.specular), diffuse = share(source.diffuse);
+  glm::vec3 specular = share(source.specular), diffuse = share(given_diffuse);
   if (source.roughness || source.metallic) {
     const float metallic = std::clamp(source.metallic.value_or(0.0f), 0.0f, 1.0f);
-    specular = glm::mix(glm::vec3(dielectric), diffuse, metallic);
+    specular = glm::mix(glm::vec3(dielectric), diffuse * tint, metallic);
     diffuse *= 1.0f - metallic;
     if (source.roughness) roughness = *source.roughness * *source.roughness;
   } else if (source.illumination < 2) {
@@ -66,6 +83,85 @@ Material make_material(const MtlMaterial& source) {
   material.brdf = varnished(diffuse, {alpha, zonal::SchlickFresnel{specular}});
   return material;
 }
+
+// ---- Pictures -------------------------------------------------------------------------------------------------------
+
+/// Reads the materials' pictures, each file once for each use.
+class Pictures {
+ public:
+  explicit Pictures(const std::string& obj) : obj_(obj) {}
+
+  /// scale: the file's unit of length in metres.
+  Material material(const MtlMaterial& source, double scale) {
+    const TextureMap colour = map(source.colour, TextureUse::colour);
+    const glm::vec3 mean = colour ? colour.texture->mean() : glm::vec3(1.0f);
+    Material material = make_material(source, diffuse_of(source, bool(colour)), mean);
+    material.relief = relief(source, scale);
+    if (!colour) return material;
+    if (source.metallic.value_or(0.0f) > 0.0f) metals_.insert(source.name);
+    for (const zonal::BrdfLobe& lobe : material.brdf.lobes) {
+      if (zonal::is_diffuse(lobe)) material.colour = colour;
+    }
+    return material;
+  }
+
+  const std::vector<std::filesystem::path>& files() const { return files_; }
+
+  std::vector<std::string> warnings() const {
+    std::vector<std::string> lines;
+    if (!missing_.empty()) lines.push_back(obj_ + ": no picture " + listed(missing_) + "; what had it is without it");
+    for (const std::string& error : errors_) lines.push_back(error + "; what had it is without it");
+    for (const std::string& name : metals_) {
+      lines.push_back(obj_ + ": as a metal, '" + name + "' has the mean colour of its map_Kd");
+    }
+    return lines;
+  }
+
+ private:
+  /// Without a texture where the file cannot be read.
+  TextureMap map(const std::optional<MtlMap>& source, TextureUse use) {
+    if (!source) return {};
+    if (!source->file) {
+      missing_.insert(source->name);
+      return {};
+    }
+    return {texture(*source->file, use), source->scale, source->offset, source->clamped};
+  }
+
+  Relief relief(const MtlMaterial& source, double scale) {
+    if (TextureMap normals = map(source.normals, TextureUse::values)) {
+      return {std::move(normals), Relief::Kind::normals, source.normals->strength};
+    }
+    TextureMap bump = map(source.bump, TextureUse::values);
+    if (!bump) return {};
+    const float strength = source.bump->strength;
+    if (is_of_normals(*bump.texture)) return {std::move(bump), Relief::Kind::normals, strength};
+    return {std::move(bump), Relief::Kind::heights, strength * static_cast<float>(scale)};
+  }
+
+  /// Programs name normal maps by map_Bump, too: pictures that are blue, as heights, which are grey, are not.
+  static bool is_of_normals(const Texture& texture) {
+    const glm::vec3 mean = texture.mean();
+    return mean.b > std::max(mean.r, mean.g) + 0.1f;
+  }
+
+  std::shared_ptr<const Texture> texture(const std::filesystem::path& path, TextureUse use) {
+    const auto [entry, is_new] = read_.try_emplace({path, use});
+    if (!is_new) return entry->second;
+    try {
+      entry->second = std::make_shared<const Texture>(read_texture(path, use));
+      files_.push_back(path);
+    } catch (const InputError& error) {
+      errors_.insert(error.what());
+    }
+    return entry->second;
+  }
+
+  std::string obj_;
+  std::map<std::pair<std::filesystem::path, TextureUse>, std::shared_ptr<const Texture>> read_;
+  std::vector<std::filesystem::path> files_;
+  std::set<std::string> missing_, errors_, metals_;
+};
 
 // ---- Where it stands ------------------------------------------------------------------------------------------------
 
@@ -128,6 +224,7 @@ class MeshMaker {
       sources_.push_back(&triangle);
       areas_.push_back(area);
       mesh.triangle_materials.push_back(triangle.material == ObjFile::none ? default_material : triangle.material);
+      mesh.triangle_meshes.push_back(triangle.mesh);
     }
     mesh.triangles.resize(sources_.size());
   }
@@ -216,12 +313,44 @@ class MeshMaker {
       groups_.back().area += areas_[triangle];
     }
     for (const Group& group : groups_) {
-      mesh_.positions.push_back(position);
-      mesh_.normals.push_back(normal_of(group));
-      for (std::size_t i = group.first; i < group.last; ++i) {
-        mesh_.triangles[corners_[i].triangle][corners_[i].corner] =
-            static_cast<std::uint32_t>(mesh_.positions.size() - 1);
+      const auto begin = corners_.begin() + static_cast<std::ptrdiff_t>(group.first);
+      const auto end = corners_.begin() + static_cast<std::ptrdiff_t>(group.last);
+      const glm::vec3 normal = normal_of(group);
+      if (file_.texture_coordinates.empty()) {
+        add_corners(position, normal, begin, end);
+      } else {
+        add_by_coordinates(position, normal, begin, end);
       }
+    }
+  }
+
+  using Corners = std::vector<CornerOf>::iterator;
+
+  /// One vertex of the mesh for all of them.
+  void add_corners(const glm::vec3& position, const glm::vec3& normal, Corners begin, Corners end) {
+    const auto vertex = static_cast<std::uint32_t>(mesh_.positions.size());
+    mesh_.positions.push_back(position);
+    mesh_.normals.push_back(normal);
+    for (Corners at = begin; at != end; ++at) mesh_.triangles[at->triangle][at->corner] = vertex;
+  }
+
+  glm::vec2 coordinates_of(const CornerOf& at) const {
+    const std::uint32_t index = sources_[at.triangle]->corners[static_cast<std::size_t>(at.corner)].coordinates;
+    return index == ObjFile::none ? glm::vec2(0.0f) : file_.texture_coordinates[index];
+  }
+
+  /// One for those that have the same texture coordinates.
+  void add_by_coordinates(const glm::vec3& position, const glm::vec3& normal, Corners begin, Corners end) {
+    const auto order = [&](const CornerOf& a, const CornerOf& b) {
+      const glm::vec2 p = coordinates_of(a), q = coordinates_of(b);
+      return p.x < q.x || (p.x == q.x && p.y < q.y);
+    };
+    std::stable_sort(begin, end, order);
+    while (begin != end) {
+      const Corners next = std::find_if(begin, end, [&](const CornerOf& at) { return order(*begin, at); });
+      mesh_.texture_coordinates.push_back(coordinates_of(*begin));
+      add_corners(position, normal, begin, next);
+      begin = next;
     }
   }
 
@@ -262,13 +391,19 @@ Scene load_obj(const std::string& path, const ObjView& view) {
   scene.name = std::filesystem::path(path).filename().string();
   scene.files = {path};
   scene.files.insert(scene.files.end(), file.material_files.begin(), file.material_files.end());
-  for (const MtlMaterial& source : file.materials) scene.materials.push_back(make_material(source));
-  const auto default_material = static_cast<std::uint32_t>(scene.materials.size());
-  scene.materials.push_back({"default", matte(glm::vec3(0.7f))});
   const Placement placement = placement_of(file, view.up);
+  Pictures pictures(path);
+  for (const MtlMaterial& source : file.materials) {
+    scene.materials.push_back(pictures.material(source, placement.scale));
+  }
+  scene.files.insert(scene.files.end(), pictures.files().begin(), pictures.files().end());
+  const auto default_material = static_cast<std::uint32_t>(scene.materials.size());
+  scene.materials.push_back({"default", matte(grey)});
   MeshMaker(file, placement, default_material, scene.mesh).make();
+  set_tangents(scene.mesh);
   if (scene.mesh.triangles.empty()) throw InputError(path + ": no triangles in it");
   scene.warnings = file.warnings;
+  for (std::string& line : pictures.warnings()) scene.warnings.push_back(std::move(line));
   for (std::string& line : messages(path, placement)) scene.warnings.push_back(std::move(line));
   place_camera_and_light(scene, view);
   return scene;

@@ -14,6 +14,7 @@
 #include <zonal/file/number_text.hpp>
 
 #include "input_error.hpp"
+#include "named_file.hpp"
 #include "statements.hpp"
 #include "triangulate.hpp"
 
@@ -31,18 +32,6 @@ bool is_one_of(std::string_view word, std::initializer_list<std::string_view> wo
 std::string quoted(std::string_view word) {
   std::string text = "'";
   return text.append(word).append("'");
-}
-
-/// a, b, c and 4 more
-std::string listed(const std::set<std::string>& names) {
-  constexpr std::size_t most = 12;
-  std::string text;
-  std::size_t count = 0;
-  for (const std::string& name : names) {
-    if (count < most) text += (text.empty() ? "" : ", ") + name;
-    ++count;
-  }
-  return count > most ? text + " and " + std::to_string(count - most) + " more" : text;
 }
 
 /// Where the files of a statement mtllib are.
@@ -87,17 +76,8 @@ class MaterialFiles {
     return {first.data(), static_cast<std::size_t>(last.data() + last.size() - first.data())};
   }
 
-  /// As named, in quotes, with the other system's separators, or even by its last part alone, where that is a file.
-  std::optional<fs::path> file_of(std::string_view text, bool by_last_part = false) const {
-    if (text.size() > 2 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
-    std::string slashed(text);
-    std::replace(slashed.begin(), slashed.end(), '\\', '/');
-    const fs::path last = by_last_part ? fs::path(slashed).filename() : fs::path();
-    for (const fs::path& name : {fs::path(text), fs::path(slashed), last}) {
-      std::error_code error;
-      if (!name.empty() && fs::is_regular_file(folder_ / name, error)) return folder_ / name;
-    }
-    return std::nullopt;
+  std::optional<fs::path> file_of(std::string_view name, bool by_last_part = false) const {
+    return named_file(folder_, name, by_last_part);
   }
 
   fs::path folder_;
@@ -110,6 +90,7 @@ struct Faces {
     std::size_t first, count;  // of the corners
     std::uint32_t material;    // of the names
     std::int32_t smoothing;
+    std::uint32_t mesh;
   };
   std::vector<ObjFile::Corner> corners;
   std::vector<Face> faces;
@@ -143,6 +124,8 @@ class ObjReader {
       add_vertex(statement);
     } else if (keyword == "vn") {
       add_normal(statement);
+    } else if (keyword == "vt") {
+      add_texture_coordinates(statement);
     } else if (keyword == "f" || keyword == "fo") {
       add_face(statement);
     } else if (keyword == "usemtl") {
@@ -151,6 +134,9 @@ class ObjReader {
       material_ = statement.rest.empty() ? ObjFile::none : entry->second;
     } else if (keyword == "mtllib") {
       material_files_.find(statement.rest);
+    } else if (keyword == "o" || keyword == "g") {
+      (keyword == "o" ? object_ : group_) = statement.rest;
+      mesh_ = meshes_.try_emplace({object_, group_}, static_cast<std::uint32_t>(meshes_.size())).first->second;
     } else if (keyword == "s") {
       std::string_view words = without_comment(statement.rest);
       smoothing_ = static_cast<std::int32_t>(std::clamp(number_in(next_word(words)).value_or(0.0), 0.0, 1e9));
@@ -161,9 +147,9 @@ class ObjReader {
     } else if (is_one_of(keyword, {"cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole",
                                    "scrv",   "sp",  "end",  "con",  "vp",   "bsp",   "bzp",  "cdc",  "cdp",  "res"})) {
       left_out_.insert("free-form curves and surfaces");
-    } else if (!is_one_of(keyword, {"vt", "g", "o", "mg", "maplib", "usemap", "bevel", "c_interp", "d_interp", "lod",
-                                    "shadow_obj", "trace_obj", "ctech", "stech"})) {
-      // None of those changes a picture that has no textures.
+    } else if (!is_one_of(keyword, {"mg", "maplib", "usemap", "bevel", "c_interp", "d_interp", "lod", "shadow_obj",
+                                    "trace_obj", "ctech", "stech"})) {
+      // None of those changes a picture.
       left_out_.insert(quoted(keyword.substr(0, 20)));
     }
   }
@@ -191,6 +177,14 @@ class ObjReader {
     file_.normals.emplace_back(normal);
   }
 
+  /// One coordinate or two, of three; what is no number is 0.
+  void add_texture_coordinates(const Statement& statement) {
+    std::string_view words = without_comment(statement.rest);
+    glm::dvec2 coordinates;
+    for (int axis = 0; axis < 2; ++axis) coordinates[axis] = number_in(next_word(words)).value_or(0.0);
+    file_.texture_coordinates.emplace_back(glm::clamp(coordinates, -greatest_coordinate, greatest_coordinate));
+  }
+
   void add_face(const Statement& statement) {
     const std::size_t first = faces_.corners.size();
     std::string_view words = without_comment(statement.rest);
@@ -199,7 +193,7 @@ class ObjReader {
     }
     const std::size_t count = faces_.corners.size() - first;
     if (count >= 3) {
-      faces_.faces.push_back({first, count, material_, smoothing_});
+      faces_.faces.push_back({first, count, material_, smoothing_, mesh_});
     } else {
       left_out_.insert("faces of fewer than three corners");
       faces_.corners.resize(first);
@@ -224,10 +218,15 @@ class ObjReader {
       greatest_vertex_ = static_cast<std::size_t>(vertex) + 1;
       greatest_vertex_line_ = line;
     }
+    const auto index_in = [&](std::string_view text, std::size_t count) {
+      const std::int64_t index = place(number(text), count);
+      return index < 0 || index >= ObjFile::none ? ObjFile::none : static_cast<std::uint32_t>(index);
+    };
+    const std::string_view middle = slash == std::string_view::npos ? "" : word.substr(slash + 1, second - slash - 1);
     const std::string_view last = second == std::string_view::npos ? "" : word.substr(second + 1);
-    const std::int64_t normal = place(number(last), file_.normals.size());
-    return {static_cast<std::uint32_t>(vertex),
-            normal < 0 || normal >= ObjFile::none ? ObjFile::none : static_cast<std::uint32_t>(normal)};
+    ObjFile::Corner corner{static_cast<std::uint32_t>(vertex), index_in(middle, file_.texture_coordinates.size()),
+                           index_in(last, file_.normals.size())};
+    return corner;
   }
 
   void add_triangles() {
@@ -241,9 +240,10 @@ class ObjReader {
       for (std::size_t i = 0; i < face.count; ++i) polygon.push_back(file_.positions[corners[i].vertex]);
       if (!triangulate(polygon, triangles)) ++crossing;
       for (const auto& [a, b, c] : triangles) {
-        file_.triangles.push_back({{corners[a], corners[b], corners[c]}, face.material, face.smoothing});
+        file_.triangles.push_back({{corners[a], corners[b], corners[c]}, face.material, face.smoothing, face.mesh});
         for (ObjFile::Corner& corner : file_.triangles.back().corners) {
-          if (corner.normal != ObjFile::none && corner.normal >= file_.normals.size()) corner.normal = ObjFile::none;
+          if (corner.normal >= file_.normals.size()) corner.normal = ObjFile::none;
+          if (corner.coordinates >= file_.texture_coordinates.size()) corner.coordinates = ObjFile::none;
         }
       }
     }
@@ -287,6 +287,9 @@ class ObjReader {
   std::map<std::string, std::uint32_t> material_names_;
   std::uint32_t material_ = ObjFile::none;
   std::int32_t smoothing_ = -1;
+  std::map<std::pair<std::string, std::string>, std::uint32_t> meshes_{{{}, 0u}};
+  std::string object_, group_;
+  std::uint32_t mesh_ = 0;
   std::size_t greatest_vertex_ = 0;
   int greatest_vertex_line_ = 0;
   std::set<std::string> left_out_;

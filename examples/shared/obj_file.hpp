@@ -18,15 +18,18 @@ struct ObjFile {
 
   struct Corner {
     std::uint32_t vertex;
-    std::uint32_t normal;  // or none
+    std::uint32_t coordinates;  // or none
+    std::uint32_t normal;       // or none
   };
   struct Triangle {
     std::array<Corner, 3> corners;
     std::uint32_t material;  // or none
     std::int32_t smoothing;  // its smoothing group: 0 is flat, -1 where the file has not said
+    std::uint32_t mesh;      // a number for each pair of names of an object and of groups, in the file's order
   };
 
   std::vector<glm::dvec3> positions;
+  std::vector<glm::vec2> texture_coordinates;
   std::vector<glm::vec3> normals;   // of any length
   std::vector<Triangle> triangles;  // some may be without area
   std::vector<MtlMaterial> materials;

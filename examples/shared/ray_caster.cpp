@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <variant>
+
+#include "frame.hpp"
+#include "tangents.hpp"
 
 namespace example {
 namespace {
@@ -28,42 +32,111 @@ glm::vec3 face_viewer(const glm::vec3& normal, const glm::vec3& to_viewer) {
   return cosine >= least_cosine ? normal : glm::normalize(normal + (least_cosine - cosine) * to_viewer);
 }
 
-glm::vec3 interpolated_normal(const Mesh& mesh, const glm::uvec3& triangle, float u, float v) {
-  return (1.0f - u - v) * mesh.normals[triangle.x] + u * mesh.normals[triangle.y] + v * mesh.normals[triangle.z];
+template <class Value>
+Value interpolated(const std::vector<Value>& values, const glm::uvec3& triangle, const glm::vec2& place) {
+  return (1.0f - place.x - place.y) * values[triangle.x] + place.x * values[triangle.y] + place.y * values[triangle.z];
 }
 
-/// The x axis of the surface's own frame: horizontal, counter-clockwise seen from above (y is up); where the surface is
-/// level, along x. Materials are thus brushed around the vertical axis.
-glm::vec3 surface_tangent(const glm::vec3& normal) {
-  const glm::vec3 horizontal(normal.z, 0.0f, -normal.x);
-  return glm::dot(horizontal, horizontal) > 1e-6f ? horizontal : glm::vec3(1.0f, 0.0f, 0.0f);
-}
+/// What of a triangle with texture coordinates a hit needs. Normals here are those of the mesh, whichever side is seen.
+class TexturedTriangle {
+ public:
+  TexturedTriangle(const Mesh& mesh, const glm::uvec3& corners, const glm::vec2& place)
+      : mesh_(mesh),
+        corners_(corners),
+        coordinates_(interpolated(mesh.texture_coordinates, corners, place)),
+        tangent_(interpolated(mesh.tangents, corners, place)) {}
 
-Hit make_hit(const Mesh& mesh, const RTCRayHit& found, const glm::vec3& direction) {
-  const glm::uvec3 triangle = mesh.triangles[found.hit.primID];
+  const glm::vec2& coordinates() const { return coordinates_; }
+  glm::vec3 tangent() const { return tangent_; }
+
+  glm::vec3 bent(const glm::vec3& normal, const Relief& relief) const {
+    return relief.kind == Relief::Kind::normals ? by_normals(normal, relief) : by_heights(normal, relief);
+  }
+
+ private:
+  glm::vec3 by_normals(const glm::vec3& normal, const Relief& relief) const {
+    glm::vec3 local = 2.0f * relief.map.at(coordinates_) - 1.0f;
+    local.x *= relief.strength;
+    local.y *= relief.strength * (tangent_.w < 0.0f ? -1.0f : 1.0f);
+    local.z = std::max(local.z, 1e-3f);  // none points into the surface
+    return glm::normalize(Frame(normal, tangent_).to_world(local));
+  }
+
+  /// The normal of the surface that stands out by the heights along its normals: of the height, only what it grows by
+  /// along the surface counts.
+  glm::vec3 by_heights(const glm::vec3& normal, const Relief& relief) const {
+    const glm::vec3& a = mesh_.positions[corners_.x];
+    const glm::vec3 edge_b = mesh_.positions[corners_.y] - a, edge_c = mesh_.positions[corners_.z] - a;
+    const glm::vec2 step_b = mesh_.texture_coordinates[corners_.y] - mesh_.texture_coordinates[corners_.x];
+    const glm::vec2 step_c = mesh_.texture_coordinates[corners_.z] - mesh_.texture_coordinates[corners_.x];
+    const glm::vec2 growth = relief.strength * relief.map.gradient(coordinates_);
+    // The gradient in the triangle's plane whose products with the edges are the steps along them.
+    const glm::vec3 area = glm::cross(edge_b, edge_c);
+    const glm::vec3 gradient =
+        (glm::dot(growth, step_b) * glm::cross(edge_c, area) + glm::dot(growth, step_c) * glm::cross(area, edge_b)) /
+        glm::dot(area, area);
+    return glm::normalize(normal - (gradient - glm::dot(gradient, normal) * normal));
+  }
+
+  const Mesh& mesh_;
+  const glm::uvec3& corners_;
+  glm::vec2 coordinates_;
+  glm::vec4 tangent_;
+};
+
+Hit make_hit(const Scene& scene, const RTCRayHit& found, const glm::vec3& direction) {
+  const Mesh& mesh = scene.mesh;
+  const glm::uvec3& triangle = mesh.triangles[found.hit.primID];
+  const glm::vec2 place(found.hit.u, found.hit.v);
   const glm::vec3& a = mesh.positions[triangle.x];
   const glm::vec3 edge_b = mesh.positions[triangle.y] - a;
   const glm::vec3 edge_c = mesh.positions[triangle.z] - a;
   const glm::vec3 geometric = glm::normalize(glm::cross(edge_b, edge_c));
   const float side = glm::dot(geometric, direction) > 0.0f ? -1.0f : 1.0f;
-  glm::vec3 normal = interpolated_normal(mesh, triangle, found.hit.u, found.hit.v);
+  glm::vec3 normal = interpolated(mesh.normals, triangle, place);
   const float length = glm::length(normal);
   // Normals that cancel, or that oppose their own triangle (careless files), are worth less than the plane's.
   const bool from_behind = glm::dot(length > 1e-6f ? normal : geometric, direction) > 0.0f;
   const bool usable = length > 1e-6f && glm::dot(normal, geometric) > 0.0f;
   normal = usable ? normal / length : geometric;
   Hit hit{};
-  hit.position = a + found.hit.u * edge_b + found.hit.v * edge_c;
+  hit.position = a + place.x * edge_b + place.y * edge_c;
   hit.geometric_normal = side * geometric;
-  hit.normal = face_viewer(side * normal, -direction);
   hit.distance = found.ray.tfar;
   hit.from_behind = from_behind;
   hit.material = mesh.triangle_materials[found.hit.primID];
-  hit.tangent = surface_tangent(hit.normal);
+  hit.mesh = mesh.triangle_meshes[found.hit.primID];
+  if (mesh.texture_coordinates.empty()) {
+    hit.normal = face_viewer(side * normal, -direction);
+    hit.tangent = horizontal_tangent(hit.normal);
+    return hit;
+  }
+  const TexturedTriangle textured(mesh, triangle, place);
+  const Material& material = scene.materials[hit.material];
+  if (material.colour) hit.colour = material.colour.at(textured.coordinates());
+  if (material.relief) normal = textured.bent(normal, material.relief);
+  hit.normal = face_viewer(side * normal, -direction);
+  hit.tangent = textured.tangent();
   return hit;
 }
 
+void multiply_body(zonal::LambertBrdf& lobe, const glm::vec3& colour) { lobe.albedo *= colour; }
+void multiply_body(zonal::ResidualBrdf& lobe, const glm::vec3& colour) { lobe.albedo *= colour; }
+template <class Lobe>
+void multiply_body(Lobe&, const glm::vec3&) {}
+
 }  // namespace
+
+const zonal::Brdf& brdf_at(const Scene& scene, const Hit& hit) {
+  const Material& material = scene.materials[hit.material];
+  if (!material.colour) return material.brdf;
+  thread_local zonal::Brdf coloured;  // it keeps its memory
+  coloured.lobes.assign(material.brdf.lobes.begin(), material.brdf.lobes.end());
+  for (zonal::BrdfLobe& lobe : coloured.lobes) {
+    std::visit([&](auto& model) { multiply_body(model, hit.colour); }, lobe);
+  }
+  return coloured;
+}
 
 RayCaster::RayCaster(const Scene& scene) : scene_(scene) {
   const Mesh& mesh = scene.mesh;
@@ -101,7 +174,7 @@ std::optional<Hit> RayCaster::closest(const glm::vec3& origin, const glm::vec3& 
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   embree::intersect(accelerator_, query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  return make_hit(scene_.mesh, query, direction);
+  return make_hit(scene_, query, direction);
 }
 
 glm::vec3 RayCaster::leave(const Hit& from, const glm::vec3& direction) const {

@@ -15,12 +15,20 @@ namespace example {
 struct Hit {
   glm::vec3 position;
   glm::vec3 geometric_normal;  // unit
-  glm::vec3 normal;            // unit, interpolated, less than a right angle from the way back
-  float distance;              // metres
+  glm::vec3 normal;  // unit, interpolated, bent by the material's relief, less than a right angle from the way
+                     // back
+  float distance;    // metres
   std::uint32_t material;
   bool from_behind = false;  // met on the side that its mesh's normals turn away from
-  glm::vec3 tangent{0.0f};   // the x axis of an anisotropic material: horizontal; not of unit length
+  std::uint32_t mesh = 0;    // of Mesh::triangle_meshes
+  glm::vec3 tangent{0.0f};   // the x axis of an anisotropic material: along the first texture coordinate, horizontal
+                             // where there is none; not of unit length
+  glm::vec3 colour{1.0f};    // of the material's texture; white without one. brdf_at() has the two together
 };
+
+/// The material's BRDF at a hit, its body in the texture's colour. Where there is a texture, it is valid until the
+/// thread asks again.
+const zonal::Brdf& brdf_at(const Scene& scene, const Hit& hit);
 
 /// Visibility in a scene, by Embree. The scene must outlive it. Safe to use from many threads.
 class RayCaster {

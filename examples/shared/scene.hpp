@@ -12,6 +12,7 @@
 #include "camera.hpp"
 #include "light_panel.hpp"
 #include "spotlight.hpp"
+#include "texture.hpp"
 
 namespace example {
 
@@ -20,6 +21,8 @@ struct Material {
   zonal::Brdf brdf;
   std::filesystem::path file{};  // of a measured material; else empty
   glm::vec3 emission{0.0f};      // radiance that the camera sees, and that lights nothing
+  TextureMap colour{};           // shares in [0, 1]: of the light that its body, the lobes of is_diffuse, reflects
+  Relief relief{};
 };
 
 /// Indexed triangles with one unit normal per vertex and one material per triangle.
@@ -28,6 +31,11 @@ struct Mesh {
   std::vector<glm::vec3> normals;
   std::vector<glm::uvec3> triangles;
   std::vector<std::uint32_t> triangle_materials;
+  std::vector<std::uint32_t> triangle_meshes;  // a number for each object or group of a file, each solid of the atrium
+  /// One per vertex, or none at all. Tangents point along the first coordinate, are unit and normal to the normal; w
+  /// is 1, or -1 where the texture is mirrored: the second coordinate grows along w cross(normal, tangent).
+  std::vector<glm::vec2> texture_coordinates;
+  std::vector<glm::vec4> tangents;
 };
 
 struct Bounds {
@@ -51,8 +59,9 @@ struct Scene {
 
 Bounds bounds_of(const Mesh& mesh);
 
-/// The built-in hall of columns: of matte and glossy materials, of matte ones alone, or glossy all over.
-enum class AtriumFinish { mixed, diffuse, glossy };
+/// The built-in hall of columns: of matte and glossy materials, of matte ones alone, or glossy all over; and the first
+/// and the last of them with rough floor and walls, whose normals change from pixel to pixel.
+enum class AtriumFinish { mixed, diffuse, glossy, bumped, bumped_glossy };
 Scene make_atrium(AtriumFinish finish = AtriumFinish::mixed);
 
 /// A white sphere about its light, seen from inside. All that it reflects once is the same at all its points.

@@ -16,6 +16,7 @@
 #include "materials.hpp"
 #include "mesh_builder.hpp"
 #include "ray_caster.hpp"
+#include "tangents.hpp"
 
 namespace example {
 namespace {
@@ -63,10 +64,11 @@ void add_stage(Scene& scene, const Bounds& bounds) {
   const float left = bounds.lower.x - size;
   MeshBuilder builder(scene.mesh);
   builder.use(floor).quad({left, ground, front}, {side, ground, front}, {side, ground, back}, {left, ground, back});
-  builder.use(floor + 1).quad({left, ground, back}, {side, ground, back}, {side, ground + size, back},
-                              {left, ground + size, back});
-  builder.use(floor + 2).quad({side, ground, back}, {side, ground, front}, {side, ground + size, front},
-                              {side, ground + size, back});
+  builder.begin_mesh().use(floor + 1).quad({left, ground, back}, {side, ground, back}, {side, ground + size, back},
+                                           {left, ground + size, back});
+  builder.begin_mesh().use(floor + 2).quad({side, ground, back}, {side, ground, front}, {side, ground + size, front},
+                                           {side, ground + size, back});
+  set_tangents(scene.mesh);
 }
 
 // ---- From inside ----------------------------------------------------------------------------------------------------

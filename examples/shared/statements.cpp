@@ -83,4 +83,15 @@ std::optional<Statement> Statements::next() {
   return std::nullopt;
 }
 
+std::string listed(const std::set<std::string>& names) {
+  constexpr std::size_t most = 12;
+  std::string text;
+  std::size_t count = 0;
+  for (const std::string& name : names) {
+    if (count < most) text += (text.empty() ? "" : ", ") + name;
+    ++count;
+  }
+  return count > most ? text + " and " + std::to_string(count - most) + " more" : text;
+}
+
 }  // namespace example

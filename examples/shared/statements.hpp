@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -45,5 +46,8 @@ std::string_view name_without_comment(std::string_view text);
 
 /// The whole word as one finite number, with or without a sign.
 std::optional<double> number_in(std::string_view word);
+
+/// For messages: a, b, c and 4 more.
+std::string listed(const std::set<std::string>& names);
 
 }  // namespace example

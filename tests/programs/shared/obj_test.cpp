@@ -222,10 +222,13 @@ TEST_CASE("obj: what is left out is named, each once, and nothing else") {
                           "v 0 0 1 1 0 0\nv 0 0 1 1 0 0\nvt 0 0\nusemtl a\nf 1 2 3\nl 1 2 3\nl 2 3\np 1\ncurv 0 1 1 2\n"
                           "deg 3\nlod 1\nfrobnicate\nfrobnicate\n";
   const Scene scene = load(obj, {{"m.mtl", mtl}}, alone());
-  REQUIRE(scene.warnings.size() == 1);
+  REQUIRE(scene.warnings.size() == 2);
   CHECK(contains(scene.warnings[0],
-                 "x.obj: left out: 'frobnicate', Ks that is not RGB, Tf, Tr, bump, d, "
-                 "free-form curves and surfaces, illum 7, lines, map_Bump, map_Kd, map_Ks and 3 more"));
+                 "x.obj: left out: 'frobnicate', Ks that is not RGB, Tf, Tr, d, "
+                 "free-form curves and surfaces, illum 7, lines, map_Ks, points, vertex colours"));
+  CHECK(contains(scene.warnings[1],
+                 "x.obj: no picture a b.png, a.png, c.png, n.png, x.png, y.png; what had it is "
+                 "without it"));
   CHECK(
       all_warnings(load("mtllib m.mtl\n" + square + "usemtl b\nf 1 2 3 4\n", {{"m.mtl", red + "Ns 3\nKs 1 1 1\n"}})) ==
       all_warnings(load("usemtl b\n" + square + "f 1 2 3 4\n")));

@@ -5,7 +5,7 @@
 #include <zonal/gather/vsl.hpp>
 
 #include "gather_hvl.hpp"
-#include "random.hpp"
+#include "shared/random.hpp"
 #include "shared/input_error.hpp"
 
 namespace example::hvl_render {

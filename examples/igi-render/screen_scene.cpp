@@ -1,0 +1,57 @@
+#include "screen_scene.hpp"
+
+#include <algorithm>
+
+#include <tbb/parallel_for.h>
+
+#include "shared/input_error.hpp"
+
+namespace example::igi_render {
+namespace {
+
+constexpr double table_tolerance = 1e-4;
+
+zonal::Brdf part_of(const zonal::Brdf& brdf, bool body) {
+  zonal::Brdf part;
+  for (const zonal::BrdfLobe& lobe : brdf.lobes) {
+    if (zonal::is_diffuse(lobe) == body) part.lobes.push_back(lobe);
+  }
+  return part;
+}
+
+zonal::MaterialTable table_of(const zonal::Brdf& part) {
+  const auto for_each = [](int count, const auto& body) { tbb::parallel_for(0, count, body); };
+  return zonal::project_material(part, zonal::MaterialTable::max_bands, table_tolerance, for_each);
+}
+
+}  // namespace
+
+ScreenMaterial::ScreenMaterial(const Material& material)
+    : body(part_of(material.brdf, true)),
+      gloss(part_of(material.brdf, false)),
+      body_table(table_of(body)),
+      gloss_table(table_of(gloss)) {
+  if (!is_isotropic(material.brdf))
+    throw InputError(material.name + ": is anisotropic, which igi-render does not take");
+}
+
+bool ScreenScene::sees(const Hit& from, const glm::vec3& direction, float distance) const {
+  return caster.visible(from, from.position + direction * std::min(distance, 2.0f * diameter));
+}
+
+zonal::SurfacePicture make_surfaces(const PrimaryHits& hits, int width, int height, bool shading_normals) {
+  zonal::SurfacePicture surfaces(width, height);
+  tbb::parallel_for(0, height, [&](int y) {
+    for (int x = 0; x < width; ++x) {
+      const std::size_t pixel =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+      const std::optional<Hit>& hit = hits.of_pixel(pixel)[0];
+      if (!hit) continue;
+      const glm::vec3& normal = shading_normals ? hit->normal : hit->geometric_normal;
+      surfaces.set_surface(x, y, hit->position, normal, hit->distance, hit->mesh, hit->material);
+    }
+  });
+  return surfaces;
+}
+
+}  // namespace example::igi_render

@@ -35,6 +35,8 @@ function(guards_its_output)
   program_case("closed output" 1 "" "${program}: standard output: is closed"
     sh -c "'$<TARGET_FILE:${program}>' --scene box.obj --lights 1 --size 16x12 --out x.png >&-")
   refused("report on the scene" "./box.obj: is read, and cannot be written as well" --scene box.obj --report ./box.obj)
+  refused("report on a scene's picture" "two pixels.ppm: is read, and cannot be written as well"
+    --scene textured.obj --report "two pixels.ppm")
   refused("report of an over-long name" "a+: cannot be written .File name too long." --report ${long_name})
 endfunction()
 

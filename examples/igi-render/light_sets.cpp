@@ -41,10 +41,11 @@ struct ColouredPoint {
 /// Red, green and blue about where the spotlight is, as bright together.
 std::array<ColouredPoint, 3> three_points(const Scene& scene) {
   const LightPanel& panel = scene.panel;
-  const float brightness = 0.4f * std::max({scene.light.intensity.r, scene.light.intensity.g, scene.light.intensity.b});
-  return {{{panel.centre + 0.8f * panel.half_u + 0.7f * panel.half_v, brightness * glm::vec3(1.0f, 0.35f, 0.2f)},
-           {panel.centre - 0.8f * panel.half_u, brightness * glm::vec3(0.3f, 1.0f, 0.4f)},
-           {panel.centre + 0.8f * panel.half_u - 0.7f * panel.half_v, brightness * glm::vec3(0.25f, 0.4f, 1.0f)}}};
+  const float brightness =
+      0.15f * std::max({scene.light.intensity.r, scene.light.intensity.g, scene.light.intensity.b});
+  return {{{panel.centre + 0.8f * panel.half_u + 0.7f * panel.half_v, brightness * glm::vec3(1.0f, 0.2f, 0.1f)},
+           {panel.centre - 0.8f * panel.half_u, brightness * glm::vec3(0.15f, 1.0f, 0.25f)},
+           {panel.centre + 0.8f * panel.half_u - 0.7f * panel.half_v, brightness * glm::vec3(0.15f, 0.3f, 1.0f)}}};
 }
 
 /// The lights of a scene: samples of them as they are seen, and paths that leave them.

@@ -201,7 +201,7 @@ class Palette {
  public:
   Palette(Scene& scene, AtriumFinish finish)
       : scene_(scene),
-        is_diffuse_(finish == AtriumFinish::diffuse),
+        is_diffuse_(finish == AtriumFinish::diffuse || finish == AtriumFinish::bumped),
         is_glossy_(finish == AtriumFinish::glossy || finish == AtriumFinish::bumped_glossy),
         is_bumped_(finish == AtriumFinish::bumped || finish == AtriumFinish::bumped_glossy) {}
 
@@ -256,8 +256,7 @@ Relief rough_relief() {
   return relief;
 }
 
-void add_hall(MeshBuilder& builder, Palette& palette) {
-  const Relief rough = palette.is_bumped() ? rough_relief() : Relief();
+void add_hall(MeshBuilder& builder, Palette& palette, const Relief& rough) {
   const std::uint32_t plaster = palette.bumped(palette.matte("plaster", {0.86f, 0.83f, 0.77f}), rough);
   const std::uint32_t terracotta = palette.bumped(palette.matte("terracotta", {0.82f, 0.29f, 0.12f}), rough);
   const std::uint32_t teal = palette.bumped(palette.matte("teal", {0.12f, 0.54f, 0.56f}), rough);
@@ -297,8 +296,9 @@ Scene make_atrium(AtriumFinish finish) {
   Palette palette(scene, finish);
   MeshBuilder builder(scene.mesh);
   if (palette.is_bumped()) builder.with_texture_coordinates();
-  add_hall(builder, palette);
-  const std::uint32_t stone = palette.matte("sandstone", {0.80f, 0.71f, 0.58f});
+  const Relief rough = palette.is_bumped() ? rough_relief() : Relief();
+  add_hall(builder, palette, rough);
+  const std::uint32_t stone = palette.bumped(palette.matte("sandstone", {0.80f, 0.71f, 0.58f}), rough);
   builder.use(stone);
   add_arcade(builder, -1.0f);
   add_arcade(builder, 1.0f);

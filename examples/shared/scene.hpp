@@ -59,8 +59,8 @@ struct Scene {
 
 Bounds bounds_of(const Mesh& mesh);
 
-/// The built-in hall of columns: of matte and glossy materials, of matte ones alone, or glossy all over; and the first
-/// and the last of them with rough floor and walls, whose normals change from pixel to pixel.
+/// The built-in hall of columns: of matte and glossy materials, of matte ones alone, or glossy all over; and the last
+/// two with rough floor, walls and stones, whose normals change from pixel to pixel.
 enum class AtriumFinish { mixed, diffuse, glossy, bumped, bumped_glossy };
 Scene make_atrium(AtriumFinish finish = AtriumFinish::mixed);
 

@@ -94,7 +94,7 @@ class Pictures {
   /// scale: the file's unit of length in metres.
   Material material(const MtlMaterial& source, double scale) {
     const TextureMap colour = map(source.colour, TextureUse::colour);
-    const glm::vec3 mean = colour ? colour.texture->mean() : glm::vec3(1.0f);
+    const glm::vec3 mean = colour ? glm::clamp(colour.texture->mean(), 0.0f, 1.0f) : glm::vec3(1.0f);
     Material material = make_material(source, diffuse_of(source, bool(colour)), mean);
     material.relief = relief(source, scale);
     if (!colour) return material;

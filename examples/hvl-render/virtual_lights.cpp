@@ -180,10 +180,6 @@ zonal::MaterialTable project(const Material& material, std::optional<std::uint64
   }
 }
 
-}  // namespace
-
-namespace {
-
 /// The body's tables are there for HVL.
 MaterialParts split(const Material& material, int bands, const Options& options) {
   MaterialParts parts;
@@ -230,9 +226,9 @@ MaterialTables project_materials(const std::vector<Material>& materials, const O
         tables.anisotropic.push_back(std::shared_ptr<const zonal::AnisotropicTable>(tables.anisotropic[first]));
         continue;
       }
-      const bool in_parts = parts && !parts->body.lobes.empty();
+      const bool has_body = parts && !parts->body.lobes.empty();
       const zonal::MaterialTable table =
-          isotropic ? project(in_parts ? Material{material.name, parts->rest} : material, file, bands, options)
+          isotropic ? project(has_body ? Material{material.name, parts->rest} : material, file, bands, options)
                     : zonal::project_material(zonal::Brdf{}, bands);
       tables.receiving.push_back(table.windowed(options.window, options.bands));
       tables.emitting.push_back(table.windowed(options.window, options.emission_bands));

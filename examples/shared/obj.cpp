@@ -120,7 +120,7 @@ class Pictures {
  private:
   /// Without a texture where the file cannot be read.
   TextureMap map(const std::optional<MtlMap>& source, TextureUse use) {
-    if (!source) return {};
+    if (!source || source->name.empty()) return {};
     if (!source->file) {
       missing_.insert(source->name);
       return {};

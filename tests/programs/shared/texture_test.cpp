@@ -285,6 +285,7 @@ TEST_CASE("textures: map_Kd multiplies Kd, and stands alone where Kd is black or
         "-s 1 1 1 -o 0 0 0 -mm 0 1 -texres 512 a b.png", "./a b.png", "-o 1 a b.png"}) {
     check("map_Kd " + std::string(name) + "\n", colour);
   }
+  CHECK(load_square("map_Kd\nnorm # none\nbump -bm 2\n", files).warnings.empty());
   // No more than all.
   const Image bright = picture(1, 1, [](double, double) { return glm::dvec3(7.0, -1.0, std::nan("")); });
   CHECK(albedo_at(load_square("map_Kd a.exr\n", {{"a.exr", exr_bytes(bright)}})) == glm::vec3(0.0f));

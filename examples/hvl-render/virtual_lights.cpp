@@ -50,10 +50,12 @@ struct Surface {
 
 /// Leaves the light what the rest of its material reflects, if there is any, and returns what the body does.
 zonal::VirtualLight split_body(zonal::VirtualLight& light, const MaterialParts& parts, const Surface& surface) {
+  if (parts.body.lobes.empty()) return {};
   zonal::VirtualLight body = light;
   body.flux *= surface.colour;
   body.brdf = &parts.body;
   body.material = parts.emitting ? &*parts.emitting : nullptr;
+  body.anisotropic = nullptr;
   const bool has_rest = !parts.rest.lobes.empty();
   light.brdf = has_rest ? &parts.rest : nullptr;
   if (!has_rest) light.material = nullptr;
@@ -178,10 +180,6 @@ zonal::MaterialTable project(const Material& material, std::optional<std::uint64
   }
 }
 
-}  // namespace
-
-namespace {
-
 /// The body's tables are there for HVL.
 MaterialParts split(const Material& material, int bands, const Options& options) {
   MaterialParts parts;
@@ -228,8 +226,9 @@ MaterialTables project_materials(const std::vector<Material>& materials, const O
         tables.anisotropic.push_back(std::shared_ptr<const zonal::AnisotropicTable>(tables.anisotropic[first]));
         continue;
       }
+      const bool has_body = parts && !parts->body.lobes.empty();
       const zonal::MaterialTable table =
-          isotropic ? project(parts ? Material{material.name, parts->rest} : material, file, bands, options)
+          isotropic ? project(has_body ? Material{material.name, parts->rest} : material, file, bands, options)
                     : zonal::project_material(zonal::Brdf{}, bands);
       tables.receiving.push_back(table.windowed(options.window, options.bands));
       tables.emitting.push_back(table.windowed(options.window, options.emission_bands));

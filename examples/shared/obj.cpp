@@ -94,7 +94,7 @@ class Pictures {
   /// scale: the file's unit of length in metres.
   Material material(const MtlMaterial& source, double scale) {
     const TextureMap colour = map(source.colour, TextureUse::colour);
-    const glm::vec3 mean = colour ? colour.texture->mean() : glm::vec3(1.0f);
+    const glm::vec3 mean = colour ? glm::clamp(colour.texture->mean(), 0.0f, 1.0f) : glm::vec3(1.0f);
     Material material = make_material(source, diffuse_of(source, bool(colour)), mean);
     material.relief = relief(source, scale);
     if (!colour) return material;
@@ -120,7 +120,7 @@ class Pictures {
  private:
   /// Without a texture where the file cannot be read.
   TextureMap map(const std::optional<MtlMap>& source, TextureUse use) {
-    if (!source) return {};
+    if (!source || source->name.empty()) return {};
     if (!source->file) {
       missing_.insert(source->name);
       return {};

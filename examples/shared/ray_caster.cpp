@@ -106,7 +106,7 @@ Hit make_hit(const Scene& scene, const RTCRayHit& found, const glm::vec3& direct
   }
   const TexturedTriangle textured(mesh, triangle, place);
   const Material& material = scene.materials[hit.material];
-  if (material.colour) hit.colour = material.colour.at(textured.coordinates());
+  if (material.colour) hit.colour = glm::clamp(material.colour.at(textured.coordinates()), 0.0f, 1.0f);
   if (material.relief) normal = textured.bent(normal, material.relief);
   hit.normal = face_viewer(side * normal, -direction);
   hit.tangent = textured.tangent();

@@ -21,7 +21,7 @@ struct Material {
   zonal::Brdf brdf;
   std::filesystem::path file{};  // of a measured material; else empty
   glm::vec3 emission{0.0f};      // radiance that the camera sees, and that lights nothing
-  TextureMap colour{};           // shares in [0, 1]: of the light that its body, the lobes of is_diffuse, reflects
+  TextureMap colour{};           // what its body, the lobes of is_diffuse, reflects is multiplied by, cut to [0, 1]
   Relief relief{};
 };
 

@@ -351,7 +351,18 @@ TEST_CASE("relief: paths agree with quadrature, and with light tracing from matt
     Options options;
     options.method = Method::vpl;
     const MaterialTables tables = project_materials(scene.materials, options);
-    const auto lights = lit(points_of(scene, caster, tables, 1000));
+    const VirtualLightMap map = points_of(scene, caster, tables, 1000);
+    const auto lights = lit(map);
+    // Of chalk the body alone sends light, of gold the rest, of lacquer both.
+    int bodies = 0, rests = 0, nothing = 0;
+    for (std::size_t i = 0; i < map.lights.size(); ++i) {
+      if (!is_lit(map.lights[i])) continue;
+      bodies += is_lit(map.bodies[i]), rests += map.lights[i].brdf != nullptr;
+      nothing += !is_lit(map.bodies[i]) && map.lights[i].brdf == nullptr;
+    }
+    CHECK(nothing == 0);
+    CHECK((bodies > 0 && rests > 0));
+    CHECK((bodies + rests > static_cast<int>(map.lights.size())) == everywhere);
     for (const Hit& hit : some_hits(scene, caster)) {
       const Estimate paths = by_paths(scene, caster, hit);
       const glm::dvec3 quadrature = by_quadrature(scene, caster, hit);
@@ -496,6 +507,16 @@ TEST_CASE("materials: an anisotropic file is gathered in the surface's own frame
     for (int c = 0; c < 3; ++c) CHECK((std::isfinite(radiance[c]) && radiance[c] >= 0.0f));
   }
   CHECK(tables.anisotropic[0]->rows_built() > 0);
+  // A relief of no slope is none, and a file's material has no body.
+  Scene flat = textured_box_scene();
+  apply({parse_material_change("*=" + file)}, flat.materials);
+  for (Material& material : flat.materials) material.relief.map = texture_map(1, 1, {7, 7, 7});
+  const RayCaster flat_caster(flat);
+  options.method = Method::hvl;
+  const MaterialTables flat_tables = project_materials(flat.materials, options);
+  const VirtualLightMap flat_map = shoot_virtual_lights(flat, flat_caster, flat_tables, options);
+  CHECK(lit(flat_map).size() == lit(shoot_virtual_lights(scene, caster, tables, options)).size());
+  CHECK(flat_tables.anisotropic[0] != nullptr);
   // Paths know nothing of virtual lights, but of the same frames.
   const auto lights = lit(points_of(scene, caster, 200));
   const PathTracer tracer(scene, caster, {16384, 1, 7}, 1);

@@ -285,6 +285,14 @@ TEST_CASE("textures: map_Kd multiplies Kd, and stands alone where Kd is black or
         "-s 1 1 1 -o 0 0 0 -mm 0 1 -texres 512 a b.png", "./a b.png", "-o 1 a b.png"}) {
     check("map_Kd " + std::string(name) + "\n", colour);
   }
+  CHECK(load_square("map_Kd\nnorm # none\nbump -bm 2\n", files).warnings.empty());
+  // No more than all.
+  const Image bright = picture(1, 1, [](double, double) { return glm::dvec3(7.0, -1.0, std::nan("")); });
+  const glm::vec3 black = albedo_at(load_square("map_Kd a.exr\n", {{"a.exr", exr_bytes(bright)}}));
+  CAPTURE(black.r, black.g, black.b);
+  CHECK(black == glm::vec3(0.0f));
+  const Image white = picture(1, 1, [](double, double) { return glm::dvec3(7.0, -1.0, 0.5); });
+  CHECK(albedo_at(load_square("map_Kd a.exr\n", {{"a.exr", exr_bytes(white)}})) == glm::vec3(1.0f, 0.0f, 0.5f));
   // What is under a coat, too: all but the highlight.
   const Scene coated = load_square("Kd .5 .5 .5\nKs .4 .4 .4\nNs 100\nmap_Kd a b.png\n", files);
   const Scene plain = load_square("Kd .5 .5 .5\nKs .4 .4 .4\nNs 100\n", files);

@@ -42,50 +42,38 @@ OutputPlan planned_outputs(const Options& options, const Scene& scene) {
   return plan;
 }
 
-ScreenScene make_screen(const Scene& scene, const RayCaster& caster, const Probe* probe, Report& report,
-                        Progress& progress) {
+/// All that the options ask for.
+void render(const Scene& scene, const RayCaster& caster, const Probe* probe, Report& report) {
   const Options& options = report.options;
-  const int width = options.width * options.antialias, height = options.height * options.antialias;
-  std::vector<ScreenMaterial> materials;
-  report.times.time(stage_name::materials, [&] {
-    for (const Material& material : scene.materials) {
-      throw_if_interrupted();
-      materials.emplace_back(material);
-    }
-  });
-  std::vector<zonal::LightSet> sets =
-      report.times.time(stage_name::lights, [&] { return make_light_sets(scene, caster, options, probe); });
-  PrimaryHits hits = report.times.time(stage_name::primary, [&] {
-    return trace_primary(caster, scene.camera, width, height, {0, height}, 1, {progress, stage_name::primary, 0.0});
-  });
-  const float radius = bounds_of(scene.mesh).radius();
-  const float least_distance = options.least_distance > 0.0f ? options.least_distance : 0.02f * radius;
-  zonal::SurfacePicture surfaces = make_surfaces(hits, width, height, false);
-  zonal::SurfacePicture shading_surfaces = make_surfaces(hits, width, height, true);
-  return {scene,
-          caster,
-          options,
-          probe,
-          std::move(materials),
-          std::move(sets),
-          least_distance,
-          2.0f * radius,
-          width,
-          height,
-          std::move(hits),
-          std::move(surfaces),
-          std::move(shading_surfaces)};
+  Progress progress(!options.quiet);
+  const ScreenScene screen = make_screen(scene, caster, options, probe, report.times, progress);
+  report.counts.primary_samples = screen.hits.pixel_count();
+  report.counts.primary_hits = screen.hits.count();
+  report.counts.surface_bytes = screen.surfaces.bytes();
+  for (const zonal::LightSet& set : screen.sets) report.counts.lights += static_cast<std::size_t>(set.size());
+
+  const std::vector<Filter> filters = filters_of(options);
+  progress.expect(static_cast<double>(filters.size()) * pass_cost(screen) +
+                  (options.comparing() ? reference_cost(screen) : 0.0));
+  for (const Filter filter : filters) report.passes.push_back(filtered_pass(screen, filter, progress));
+  if (options.comparing()) report.reference = reference_pass(screen, progress);
 }
 
-/// All light at every position, and the errors of the passes against it.
-void compare_with_all(const ScreenScene& screen, Report& report, Progress& progress) {
-  Reference reference = reference_pass(screen, progress);
-  std::vector<Image*> pictures{&reference.exact.picture, &reference.truncated.picture};
-  repair(program_name, pictures);
-  const Display& display = report.options.display;
-  for (Pass& pass : report.passes) pass.errors = compare(pass.picture, reference.exact.picture, display);
-  report.truncation = compare(reference.truncated.picture, reference.exact.picture, display);
-  report.reference = std::move(reference.exact);
+/// Mends what is no number, warns of what may be amiss, and compares.
+void finish(Report& report) {
+  std::vector<Image*> pictures;
+  for (Pass& pass : report.passes) pictures.push_back(&pass.picture);
+  if (report.reference) {
+    pictures.push_back(&report.reference->exact.picture);
+    pictures.push_back(&report.reference->truncated.picture);
+  }
+  report.counts.pixels_not_finite = repair(program_name, pictures);
+  const bool black = warn_if_black(program_name, report.passes.front().picture, report.counts.primary_hits);
+  if (!black && report.counts.lights == 0) warn(program_name, "there are no lights");
+  if (!report.reference) return;
+  const Image& exact = report.reference->exact.picture;
+  for (Pass& pass : report.passes) pass.errors = compare(pass.picture, exact, report.options.display);
+  report.reference->truncated.errors = compare(report.reference->truncated.picture, exact, report.options.display);
 }
 
 void write(const Outputs& outputs, const Report& report) {
@@ -94,10 +82,10 @@ void write(const Outputs& outputs, const Report& report) {
   for (const Pass& pass : report.passes) {
     pictures.push_back(&pass.picture);
     if (report.reference) {
-      differences.push_back(difference_map(pass.picture, report.reference->picture, report.options.display));
+      differences.push_back(difference_map(pass.picture, report.reference->exact.picture, report.options.display));
     }
   }
-  if (report.reference) pictures.push_back(&report.reference->picture);
+  if (report.reference) pictures.push_back(&report.reference->exact.picture);
   outputs.prepare(pictures, differences, json_text(report)).move_into_place();
 }
 
@@ -118,25 +106,10 @@ void run(const Options& options) {
   const Outputs outputs(options, planned_outputs(options, scene));
   const RayCaster caster = report.times.time(stage_name::scene, [&] { return RayCaster(scene); });
 
-  Progress progress(!options.quiet);
-  const ScreenScene screen = make_screen(scene, caster, probe ? &*probe : nullptr, report, progress);
   report.counts.triangles = scene.mesh.triangles.size();
   report.counts.materials = scene.materials.size();
-  report.counts.primary_samples = screen.hits.pixel_count();
-  report.counts.primary_hits = screen.hits.count();
-  report.counts.surface_bytes = screen.surfaces.bytes();
-  for (const zonal::LightSet& set : screen.sets) report.counts.lights += static_cast<std::size_t>(set.size());
-  if (report.counts.lights == 0) warn(program_name, "there are no lights");
-
-  const std::vector<Filter> filters = filters_of(options);
-  progress.expect(static_cast<double>(filters.size()) * pass_cost(screen) +
-                  (options.comparing() ? reference_cost(screen) : 0.0));
-  std::vector<Image*> pictures;
-  for (const Filter filter : filters) report.passes.push_back(filtered_pass(screen, filter, progress));
-  for (Pass& pass : report.passes) pictures.push_back(&pass.picture);
-  report.counts.pixels_not_finite = repair(program_name, pictures);
-  warn_if_black(program_name, report.passes.front().picture, report.counts.primary_hits);
-  if (options.comparing()) compare_with_all(screen, report, progress);
+  render(scene, caster, probe ? &*probe : nullptr, report);
+  finish(report);
   throw_if_interrupted();
   write(outputs, report);
   if (!options.quiet) std::fputs(table(report).c_str(), stdout);

@@ -34,7 +34,7 @@ std::string table(const Report& report) {
     rows.push_back(std::move(row));
   }
   if (report.reference) {
-    Row row = cells(report, *report.reference);
+    Row row = cells(report, report.reference->exact);
     row.insert(row.end(), {"-", "-", "-"});
     rows.push_back(std::move(row));
   }
@@ -42,9 +42,10 @@ std::string table(const Report& report) {
   const double surface = static_cast<double>(report.counts.surface_bytes) / static_cast<double>(positions(report));
   text += format("%dx%d sets, %zu lights in all; %.0f bytes a position for the surface.\n",
                  report.options.pattern.columns, report.options.pattern.rows, report.counts.lights, surface);
-  if (report.truncation) {
+  if (report.reference) {
+    const ImageErrors& errors = report.reference->truncated.errors;
     text += format("Of %d bands alone, nothing filtered: RMSE %.4f, RMSE / mean %.4f.\n", report.options.bands,
-                   report.truncation->rmse, report.truncation->linear_rmse);
+                   errors.rmse, errors.linear_rmse);
   }
   return text;
 }

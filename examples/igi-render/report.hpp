@@ -11,11 +11,6 @@
 
 namespace example::igi_render {
 
-namespace stage_name {
-using namespace example::stage_name;
-inline constexpr const char* lights = "sets of lights";
-}  // namespace stage_name
-
 struct Counts : RunCounts {
   std::size_t lights = 0;  // of all sets
   std::size_t surface_bytes = 0;
@@ -28,8 +23,7 @@ struct Report {
   Counts counts;
   Machine machine;
   std::vector<Pass> passes;
-  std::optional<Pass> reference;          // in a comparison
-  std::optional<ImageErrors> truncation;  // what the bands alone leave out, nothing being filtered
+  std::optional<Reference> reference;  // in a comparison
 };
 
 /// The aligned table for the terminal.

@@ -41,8 +41,10 @@ std::string json_text(const Report& report) {
   nlohmann::json json = report_json(options_json(report.options), counts, report.machine, report.times);
   json["passes"] = nlohmann::json::array();
   for (const Pass& pass : report.passes) json["passes"].push_back(pass_json(report, pass));
-  if (report.reference) json["reference"] = pass_json(report, *report.reference);
-  if (report.truncation) json["truncation"] = errors_json(*report.truncation);
+  if (report.reference) {
+    json["reference"] = pass_json(report, report.reference->exact);
+    json["truncation"] = errors_json(report.reference->truncated.errors);
+  }
   return file_text(json);
 }
 

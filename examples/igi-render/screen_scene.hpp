@@ -9,10 +9,17 @@
 #include "light_sets.hpp"
 #include "options.hpp"
 #include "shared/primary_hits.hpp"
+#include "shared/progress.hpp"
 #include "shared/ray_caster.hpp"
 #include "shared/scene.hpp"
+#include "shared/stage_times.hpp"
 
 namespace example::igi_render {
+
+namespace stage_name {
+using namespace example::stage_name;
+inline constexpr const char* lights = "sets of lights";
+}  // namespace stage_name
 
 /// A material by what its texture colours and what not, each with its table.
 struct ScreenMaterial {
@@ -47,6 +54,8 @@ struct ScreenScene {
   bool sees(const Hit& from, const glm::vec3& direction, float distance) const;
 };
 
-zonal::SurfacePicture make_surfaces(const PrimaryHits& hits, int width, int height, bool shading_normals);
+/// Scene, caster, options and probe, null where there is none, must outlive it.
+ScreenScene make_screen(const Scene& scene, const RayCaster& caster, const Options& options, const Probe* probe,
+                        StageTimes& times, Progress& progress);
 
 }  // namespace example::igi_render

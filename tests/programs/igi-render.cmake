@@ -1,6 +1,7 @@
 # igi-render's cases.
 set(program igi-render)
 set(small --size 16x12 --sets 2)
+set(few --sets 1)
 include(${CMAKE_CURRENT_LIST_DIR}/cases.cmake)
 
 # ---- Arguments ------------------------------------------------------------------------------------------------------
@@ -21,7 +22,7 @@ endforeach()
 refused("bounces -1" "--bounces: '-1' is not in 0...16" --bounces -1)
 refused("least distance nan" "--least-distance: 'nan' is not in 0...1e6 metres" --least-distance nan)
 refused("plane distance 2" "--plane-distance: '2' is not in 0...1" --plane-distance 2)
-refused("probe and lighting" "--probe excludes --lighting" --lighting spot --probe x.exr)
+refused("probe and lighting" "--lighting excludes --probe" --lighting spot --probe x.exr)
 refused("lighting by no probe" "--lighting probe needs --probe" --lighting probe)
 refused("two modes" "--compare excludes --filter" --compare out --filter sg)
 refused("too many positions" "--size and --antialias ask for more than 32 million positions" --size 8192x8192)
@@ -33,3 +34,27 @@ refused("probe of no format" "box.obj: cannot be read as a picture .*" --probe b
 refused("probe truncated" "truncated.exr: cannot be read as OpenEXR .*" --probe truncated.exr)
 refused("scene missing" "nowhere.obj: no such file" --scene nowhere.obj)
 refused("out in no folder" "nowhere/x.png: cannot be written .*" --out nowhere/x.png)
+refused("probe that is black" "black.png: is black, or too bright, and lights nothing" --probe black.png)
+refused("probe of no shape" "odd.exr: a picture of 17 x 12: no mapping has this shape as a rule; name one"
+  --probe odd.exr)
+refused("out on the probe" "reference.exr: is read, and cannot be written as well" --out reference.exr --probe ./reference.exr)
+guards_its_output()
+
+# ---- What works -----------------------------------------------------------------------------------------------------
+
+foreach(pass radiance irradiance irradiance-strict sg l1 none)
+  list(APPEND compared out/${pass}-difference.png out/${pass}.exr out/${pass}.png)
+endforeach()
+list(APPEND compared out/reference.exr out/reference.png)
+list(SORT compared)
+list(JOIN compared " " compared)
+renders("help" "" "" --help)
+renders("comparison" "out ${compared} x.json" "" --scene box.obj --compare out --report x.json --half)
+renders("textures" "x.png" "" --scene textured.obj --lighting area --bands 5 --out x.png)
+renders("lit by a cross" "x.exr" "" --scene box.obj --probe reference.exr --out x.exr)
+renders("no bounces" "igi-render.png" "" --scene triangle.obj --no-stage --quiet --bounces 0 --pattern 3x5)
+
+stops(--compare out --scene atrium --sets 4096)
+shows_progress(--threads 1 --sets 200 --size 160x128)
+
+example_test(igi_render_test.cpp)

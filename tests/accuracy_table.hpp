@@ -121,6 +121,7 @@ inline constexpr Accuracy kKernelAccuracy[] = {
     in_any_scalar("horizon_exact", 2, kUlpOfTypical),
     in_any_scalar("hvl_radiance_diffuse", 20, kUlpOfTypical),
     in_any_scalar("hvl_radiance", 25, kUlpOfTypical),
+    in_any_scalar("is_same_surface", 0),
     in_any_scalar("arcs", 3),
     in_any_scalar("project_spot_with_gradient", 30),
     in_any_scalar("project_triangle_sphere_with_gradient", 30),

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "request.hpp"
@@ -38,4 +39,19 @@ inline std::string grid_example(int bands, const std::string& shell) {
   const std::string n = std::to_string(bands);
   return example("grid.comp", {shell}, bands,
                  "#define BANDS " + n + "\n#define SUM_LIGHTS zonal_" + shell + "_" + n + "\n");
+}
+/// A pass of the screen's filter, 1 or 2.
+inline std::string screen_example(int bands, int pass) {
+  const std::string n = std::to_string(bands);
+  std::string defines = "#define PASS " + std::to_string(pass) + "\n#define BANDS " + n + "\n";
+  std::vector<std::string> functions;
+  for (const auto& [macro, function] : {std::pair("FILTER_ACROSS", "filter_across"),
+                                        {"FILTER_DOWN", "filter_down"},
+                                        {"LAMBERT", "reconstruct_lambert_colour"},
+                                        {"PHONG", "phong"},
+                                        {"CONVOLVED", "reconstruct_convolved_colour"}}) {
+    functions.push_back(function);
+    defines += std::string("#define ") + macro + " zonal_" + function + "_" + n + "\n";
+  }
+  return example("screen.comp", functions, bands, defines);
 }

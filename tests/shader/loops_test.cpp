@@ -2,6 +2,10 @@
 // the same kernels in C++.
 #include <zonal/grid/add_lights.hpp>
 #include <zonal/grid/interpolate.hpp>
+#include <zonal/lobe/lambert.hpp>
+#include <zonal/lobe/phong.hpp>
+#include <zonal/screen/shade.hpp>
+#include <zonal/transform/convolve.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -116,7 +120,54 @@ void check_grid(Driver& driver, const std::string& shell, int bands) {
   }
 }
 
+/// Both passes against the library's filter, and the shading against the kernels of C++ on what that leaves.
+template <int N>
+void check_screen(Driver& driver, int width, int height, zonal::InterleavedPattern pattern) {
+  CAPTURE(N, width, height, pattern.columns, pattern.rows);
+  const ScreenScene<N> scene(width, height, static_cast<unsigned>(width + pattern.sets()));
+  const auto where = [&] { return std::vector<int>{width, height}; };
+  // A pattern of one row leaves the second pass nothing to do.
+  zonal::RadiancePicture<N> across = scene.radiance, filtered = scene.radiance;
+  zonal::filter(across, scene.surfaces, {pattern.columns, 1});
+  zonal::filter(filtered, scene.surfaces, pattern);
+  std::vector<float> averages =
+      run_screen(driver, scene, pattern, screen_example(N, 1), shader_buffer(scene.radiance), across.size()).values;
+  // Beside the rows nobody writes.
+  for (std::size_t i = 0; i < averages.size(); ++i) {
+    if (i % across.pitch() >= static_cast<std::size_t>(width)) averages[i] = 0;
+  }
+  require_equal(averages, shader_buffer(across), driver.is_software(), where);
+
+  const auto pixel_count = static_cast<std::size_t>(width * height);
+  const std::vector<float> image =
+      run_screen(driver, scene, pattern, screen_example(N, 2), averages, 3 * pixel_count).values;
+  std::vector<float> expected;
+  for (std::size_t i = 0; i < pixel_count; ++i) {
+    const float* const f = &scene.shading[ScreenScene<N>::shading_size * i];
+    const glm::vec3 normal(f[0], f[1], f[2]), outgoing(f[3], f[4], f[5]);
+    const int x = static_cast<int>(i) % width, y = static_cast<int>(i) / width;
+    const auto sh = filtered.at(x, y);
+    const glm::vec3 mirror = zonal::mirror_direction(normal, outgoing);
+    const auto lobe = zonal::project<N>(zonal::PhongLobe<float>{f[12]});
+    const glm::vec3 diffuse = zonal::reconstruct_convolved(sh, zonal::LambertLobe{}, normal);
+    const glm::vec3 glossy = zonal::reconstruct_convolved(sh, lobe, mirror);
+    SceneRandom::append(expected, glm::vec3(f[6], f[7], f[8]) * glm::max(diffuse, glm::vec3(0)) +
+                                      glm::vec3(f[9], f[10], f[11]) * glm::max(glossy, glm::vec3(0)));
+  }
+  require_equal(image, expected, driver.is_software(), where);
+}
+
 }  // namespace
+
+TEST_CASE("The screen's filter and its shading on the driver are those of C++") {
+  Driver* driver = driver_or_skip();
+  if (driver == nullptr) return;
+  for (const auto& [columns, rows] : {std::pair(1, 1), {3, 5}, {4, 4}, {8, 8}}) {
+    check_screen<2>(*driver, 37, 23, {columns, rows});
+  }
+  check_screen<3>(*driver, 9, 17, {4, 4});
+  check_screen<1>(*driver, 16, 16, {16, 16});
+}
 
 TEST_CASE("A gather of virtual lights on the driver is that of C++") {
   Driver* driver = driver_or_skip();

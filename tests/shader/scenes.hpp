@@ -5,10 +5,13 @@
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <zonal/screen/filter.hpp>
 #include <zonal/shader/buffers.hpp>
 
 #include <bit>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <random>
 #include <string>
@@ -125,6 +128,38 @@ struct GridScene {
   std::vector<float> lights;
 };
 
+/// Pixels with steps, tilts, other meshes and materials, and holes, and what they are shaded by.
+template <int N>
+struct ScreenScene {
+  static constexpr std::size_t shading_size = 13;
+
+  ScreenScene(int width, int height, unsigned seed) : surfaces(width, height), radiance(width, height) {
+    SceneRandom random(seed);
+    const auto rarely = [&] { return random.uniform(0, 1) < 0.1F; };
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        zonal::Sh<N, glm::vec3> sh;
+        for (int i = 0; i < N * N; ++i) sh[i] = random.vector(-1, 1);
+        radiance.set_at(x, y, sh);
+        const glm::vec3 normal = random.direction();
+        for (const auto& v : {normal, random.direction_above(normal), random.vector(0, 1), random.vector(0, 1)}) {
+          SceneRandom::append(shading, v);
+        }
+        shading.push_back(random.uniform(1, 50));
+        const float tilt = rarely() ? 1.0F : 0.0F, step = rarely() ? 0.2F : 0.0F;
+        const glm::vec3 place(0.01F * float(x), step + random.uniform(0, 0.001F), 0.01F * float(y));
+        const std::uint32_t mesh = rarely() ? 1 : 0, material = rarely() ? 1 : 0;
+        if (rarely()) continue;
+        surfaces.set_surface(x, y, place, {std::sin(tilt), std::cos(tilt), 0}, 5, mesh, material);
+      }
+    }
+  }
+
+  zonal::SurfacePicture surfaces;
+  zonal::RadiancePicture<N> radiance;
+  std::vector<float> shading;
+};
+
 /// What a shader gave, and the least time it took of the times it was run.
 struct ShaderRun {
   std::vector<float> values;
@@ -180,4 +215,21 @@ inline ShaderRun run_grid(Driver& driver, const GridScene& scene, int bands, con
   return detail::run_into(driver, program, {scene.lights}, uniforms,
                           12 * static_cast<std::size_t>(bands * bands) * scene.vertex_count(),
                           static_cast<unsigned>((scene.vertex_count() + 15) / 16), times);
+}
+
+/// A pass of docs/examples/screen.comp: the first leaves a buffer of coefficients, the second takes it and leaves RGB.
+template <int N>
+ShaderRun run_screen(Driver& driver, const ScreenScene<N>& scene, const zonal::InterleavedPattern& pattern,
+                     const std::string& source, const std::vector<float>& pixels, std::size_t output_size) {
+  const unsigned program = driver.compile(source);
+  const zonal::SurfaceTests tests;
+  const auto count = static_cast<unsigned>(scene.surfaces.width() * scene.surfaces.height());
+  std::vector<float> uniforms;
+  for (const auto size : {unsigned(scene.surfaces.width()), unsigned(scene.surfaces.height()),
+                          unsigned(scene.surfaces.pitch()), unsigned(pattern.columns), unsigned(pattern.rows)}) {
+    uniforms.push_back(detail::as_float(size));
+  }
+  uniforms.insert(uniforms.end(), {tests.cos_normal, tests.plane_distance, 0});
+  return detail::run_into(driver, program, {shader_buffer(scene.surfaces), pixels, scene.shading}, uniforms,
+                          output_size, (count + 63) / 64, 1);
 }

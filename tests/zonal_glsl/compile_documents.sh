@@ -20,7 +20,7 @@ if ! command -v glslangValidator >/dev/null; then
   exit 77
 fi
 glslangValidator --quiet "$examples/irradiance.frag"
-for name in gather grid; do
+for name in gather grid screen; do
   cp "$examples/$name.comp" .
   options="$(sed -n 's/.*: zonal-glsl //p' "$name.comp")"
   # shellcheck disable=SC2086
@@ -30,3 +30,4 @@ for name in gather grid; do
     if command -v spirv-val >/dev/null; then spirv-val "$name.spv"; fi
   done
 done
+glslangValidator --quiet -DPASS=1 --target-env vulkan1.0 screen.comp -o screen_across.spv

@@ -43,6 +43,7 @@ enum class Domain {
   cell_coordinate,  // 0 to 1
   vertex_count,     // a whole number, >= 2
   row_count,        // a whole number, >= 1
+  identity,         // a whole number; below 0 there is nothing
 };
 
 enum class Direction { in, out, inout };

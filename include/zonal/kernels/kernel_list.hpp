@@ -15,6 +15,7 @@
 #include "lobe_kernels.hpp"
 #include "material_kernels.hpp"
 #include "scalar_kernels.hpp"
+#include "screen_kernels.hpp"
 #include "transform_kernels.hpp"
 
 namespace zonal {
@@ -41,7 +42,8 @@ using SceneKernels = KernelList<Sphere, SphereWithGradient,                     
                                 CellWeightsOf<Interpolation::hermite>, ClearSums, AddSphere, FinishSums,  //
                                 MaterialRow, MaterialBetweenRows,                                         // materials
                                 TangentTowards, HorizonOf<Horizon::smoothstep>, HorizonOf<Horizon::exact>,
-                                HvlRadiance<1>, HvlRadiance<3>>;  // virtual lights
+                                HvlRadiance<1>, HvlRadiance<3>,  // virtual lights
+                                IsSameSurface>;                  // screen
 // They are no shader functions: of fixed lights, and for tests.
 using UnwrittenKernels = KernelList<Arcs, SpotWithGradient, TriangleSphereWithGradient, PolygonWithGradient,
                                     HvlRadiance<3, Horizon::exact>, HvlRadiance<3, Horizon::none>>;

@@ -85,6 +85,7 @@ class InputSampler {
       case Domain::cell_coordinate: return sometimes() ? (sign() < 0 ? 0 : 1) : uniform(0, 1);
       case Domain::vertex_count: return std::floor(uniform(2, 65));
       case Domain::row_count: return sometimes() ? 1 : std::floor(uniform(2, 91));
+      case Domain::identity: return uniform(0, 1) < 0.1 ? -1 : std::floor(uniform(is_extreme() ? 0 : 1, 3));
       default: return uniform(-1, 1);
     }
   }

@@ -1,4 +1,4 @@
-// What the shader functions read, as buffers of floats: virtual lights, materials, grids. One call each.
+// What the shader functions read, as buffers of floats: virtual lights, materials, grids, pixels. One call each.
 //
 // A buffer is plain 4-byte floats side by side, with no padding anywhere. Declared as an array of float it has the same
 // layout in C++, std430 and WGSL's storage buffers (stride 4; std140 would put 16 bytes between); a shader reads float
@@ -11,6 +11,8 @@
 //   HvlCache           ZONAL_LIGHT(i), light after light           gather; of one band gather_diffuse
 //   MaterialTable      ZONAL_MATERIAL(i), two numbers, F, F'       material_with_cosine, material_without_cosine
 //   CoefficientGrid    ZONAL_GRID(i), vertex after vertex          interpolate_trilinear, interpolate_hermite
+//   SurfacePicture     ZONAL_SURFACE(i), row after row             filter_across, filter_down
+//   RadiancePicture    ZONAL_PIXEL(i), row after row               filter_across, filter_down
 //
 // They need neither zonal-glsl nor a recorder: this header is for the program that draws.
 #pragma once
@@ -21,6 +23,7 @@
 #include "../grid/coefficient_grid.hpp"
 #include "../material/material_table.hpp"
 #include "../scalar/refuse.hpp"
+#include "../screen/plane_picture.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
@@ -70,6 +73,13 @@ inline std::vector<float> shader_buffer(const MaterialTable& table) {
 template <int N, GridContent content>
 std::vector<float> shader_buffer(const CoefficientGrid<N, content>& grid) {
   return {grid.data(), grid.data() + grid.size()};
+}
+
+/// Surfaces, or coefficients in float: a row of pixels is a row of each plane (screen/plane_picture.hpp), pitch()
+/// numbers each, what pads them included. A copy of data() and size(), which may be handed over themselves. The shader
+/// takes width(), height() and pitch() besides.
+inline std::vector<float> shader_buffer(const PlanePicture<float>& picture) {
+  return {picture.data(), picture.data() + picture.size()};
 }
 
 }  // namespace ZONAL_TARGET

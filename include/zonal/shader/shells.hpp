@@ -1,5 +1,5 @@
-// Loops over lights, a material's coefficients and grid vertices, in GLSL: thin shells around the recorded functions,
-// which hold all the mathematics.
+// Loops over lights, a material's coefficients, grid vertices and neighbouring pixels, in GLSL: thin shells around the
+// recorded functions, which hold all the mathematics.
 //
 // A shell reads lights, materials and grids through macros that the including shader defines, so that they may stand in
 // any buffer, texture or uniform. What is written there, by one call each: buffers.hpp.
@@ -7,6 +7,8 @@
 //   ZONAL_LIGHT(i)      float number i of the lights, light after light, the fields in the order given with each shell
 //   ZONAL_MATERIAL(i)   float number i of materials, one after the other
 //   ZONAL_GRID(i)       float number i of a grid, in the order of CoefficientGrid::data()
+//   ZONAL_SURFACE(i)    float number i of what the pixels see, in the order of SurfacePicture::data()
+//   ZONAL_PIXEL(i)      float number i of the pixels' coefficients, in the order of RadiancePicture::data()
 #pragma once
 
 #include <string>
@@ -251,6 +253,89 @@ std::vector<ShellNeed> interpolate_needs(int) {
   return {{kernels::CellPosition::name}, {kernels::CellWeightsOf<method>::name}};
 }
 
+// ---- The discontinuity filter ---------------------------------------------------------------------------------------
+
+template <bool is_down>
+std::string filter_text(int bands) {
+  const std::string text = R"(// What a pixel sees, as SurfacePicture (zonal/screen/surface.hpp) holds it.
+#ifndef $GUARDLOAD_SURFACE
+#define $GUARDLOAD_SURFACE
+struct zonal_Surface {
+  $vec3 position;
+  $vec3 normal;
+  $float depth;
+  $float mesh;
+  $float material;
+};
+zonal_Surface zonal_load_surface($uint x, $uint y, $uint pitch) {
+  $uint at = 9u * y * pitch + x;
+  zonal_Surface surface;
+  surface.position = vec3(ZONAL_SURFACE(at), ZONAL_SURFACE(at + pitch), ZONAL_SURFACE(at + 2u * pitch));
+  surface.normal = vec3(ZONAL_SURFACE(at + 3u * pitch), ZONAL_SURFACE(at + 4u * pitch), ZONAL_SURFACE(at + 5u * pitch));
+  surface.depth = ZONAL_SURFACE(at + 6u * pitch);
+  surface.mesh = ZONAL_SURFACE(at + 7u * pitch);
+  surface.material = ZONAL_SURFACE(at + 8u * pitch);
+  return surface;
+}
+bool zonal_sees_surface(zonal_Surface a, $uint x, $uint y, $uint pitch, $float cos_normal, $float plane_distance) {
+  zonal_Surface b = zonal_load_surface(x, y, pitch);
+  return zonal_is_same_surface(a.position, a.normal, a.depth, a.mesh, a.material,
+                               b.position, b.normal, b.depth, b.mesh, b.material, cos_normal, plane_distance) > 0.5f;
+}
+#endif
+// The $WHICH pass of the filter of incident radiance at pixel (x, y); see filter (zonal/screen/filter.hpp). Rows of
+// planes are `pitch` numbers apart; `length`, 1 to 16: the pattern's $SIDE.
+void zonal_$NAME_$N($uint x, $uint y, $uint width, $uint height, $uint pitch, $uint length, $float cos_normal,
+    $float plane_distance, $precise out $vec3 sh[$COUNT]) {
+  zonal_Surface surface = zonal_load_surface(x, y, pitch);
+  $uint reach = length - 1u;
+  $uint chosen = 0u;  // bit reach + offset
+  $uint count = 0u;
+  if (surface.mesh >= 0.0f) {
+    chosen = 1u << reach;
+    count = 1u;
+  }
+  for ($uint d = 1u; d < length; ++d) {
+    // Of two pixels that see lights of one set, that in the window, else the other. A place below 0 is beyond the end.
+    $uint after = $AT + d;
+    $uint before = after - length;
+    $uint first = d <= length / 2u ? after : before;
+    $uint second = d <= length / 2u ? before : after;
+    bool is_first = first < $END && zonal_sees_surface(surface, $FIRST, pitch, cos_normal, plane_distance);
+    if (is_first || (second < $END && zonal_sees_surface(surface, $SECOND, pitch, cos_normal, plane_distance))) {
+      chosen |= 1u << (reach + (is_first ? first : second) - $AT);
+      ++count;
+    }
+  }
+  $precise $float weight = count > 0u ? 1.0f / float(count) : 0.0f;
+  for ($int i = 0; i < $COUNT; ++i) {
+    $precise $vec3 sum = vec3(0.0f);
+    for ($uint bit = 0u; bit <= 2u * reach; ++bit) {
+      if ((chosen >> bit & 1u) != 0u) {
+        $uint place = $AT + bit - reach;
+        $uint at = ($ROW * $PLANESu + 3u * uint(i)) * pitch + $COLUMN;
+        sum += vec3(ZONAL_PIXEL(at), ZONAL_PIXEL(at + pitch), ZONAL_PIXEL(at + 2u * pitch));
+      }
+    }
+    sh[i] = sum * weight;
+  }
+}
+)";
+  return substitute(text, {{"$WHICH", is_down ? "second" : "first"},
+                           {"$SIDE", is_down ? "rows" : "columns"},
+                           {"$AT", is_down ? "y" : "x"},
+                           {"$END", is_down ? "height" : "width"},
+                           {"$FIRST", is_down ? "x, first" : "first, y"},
+                           {"$SECOND", is_down ? "x, second" : "second, y"},
+                           {"$ROW", is_down ? "place" : "y"},
+                           {"$COLUMN", is_down ? "x" : "place"},
+                           {"$COUNT", std::to_string(bands * bands)},
+                           {"$PLANES", std::to_string(3 * bands * bands)},
+                           {"$NAME", is_down ? "filter_down" : "filter_across"},
+                           {"$N", std::to_string(bands)}});
+}
+inline std::vector<ShellNeed> filter_needs(int) { return {{kernels::IsSameSurface::name}}; }
+
 }  // namespace detail
 
 inline constexpr Shell shells[] = {
@@ -272,6 +357,10 @@ inline constexpr Shell shells[] = {
      detail::interpolate_text<Interpolation::trilinear>},
     {"interpolate_hermite", "The same, from values and gradients.", detail::interpolate_needs<Interpolation::hermite>,
      detail::interpolate_text<Interpolation::hermite>},
+    {"filter_across", "The discontinuity filter's first pass at a pixel, along its row.", detail::filter_needs,
+     detail::filter_text<false>},
+    {"filter_down", "Its second pass, along the column of what the first has left.", detail::filter_needs,
+     detail::filter_text<true>},
 };
 
 /// How the text calls the shell.

@@ -48,7 +48,12 @@ std::unique_ptr<Gatherer> make_hvl(const GatherInput& input) {
           if (const auto& anisotropic = tables.anisotropic[material]) {
             return zonal::gather<N, NE, H>(cache, receiver, *anisotropic, visible);
           }
-          return zonal::gather<N, NE, H>(cache, receiver, tables.receiving[material], visible);
+          const float cos_outgoing = glm::dot(receiver.normal, receiver.outgoing);
+          auto coefficients = tables.receiving[material].template with_cosine<N>(cos_outgoing);
+          if (const auto parts = tables.parts.find(material); parts != tables.parts.end()) {
+            coefficients += hit.colour * parts->second.receiving->template with_cosine<N>(cos_outgoing);
+          }
+          return zonal::gather<N, NE, H>(cache, receiver, coefficients, visible);
         };
         gatherer = make_cached(input, zonal::HvlCache<NE>(lit(input.map)), gather);
       }

@@ -11,7 +11,7 @@ std::unique_ptr<Gatherer> make_hvl_zonal(const GatherInput& input) {
     if constexpr (contains(compiled_zonal_bands, N)) {
       const auto gather = [&tables = input.materials](const auto& cache, const zonal::Receiver& receiver,
                                                       const Hit& hit, std::size_t, const zonal::Visibility& visible) {
-        return zonal::gather_hvl_zonal<N>(cache, receiver, tables.zonal[hit.material], visible);
+        return zonal::gather_hvl_zonal<N>(cache, receiver, tables.zonal[hit.material], visible, hit.colour);
       };
       gatherer = make_cached(input, zonal::LightCache(lit(input.map)), gather);
     }

@@ -1,11 +1,13 @@
 #include "gatherer.hpp"
 
+#include <vector>
+
 #include <zonal/gather/vpl.hpp>
 #include <zonal/gather/vsgl.hpp>
 #include <zonal/gather/vsl.hpp>
 
 #include "gather_hvl.hpp"
-#include "random.hpp"
+#include "shared/random.hpp"
 #include "shared/input_error.hpp"
 
 namespace example::hvl_render {
@@ -44,7 +46,12 @@ std::unique_ptr<Gatherer> make_vsgl(const GatherInput& input) {
                                              const Visibility& visible) {
     return gather_vsgl(cache, receiver, brdf_at(scene, hit), visible);
   };
-  const auto lights = zonal::make_gaussian_lights(input.map.lights.data(), input.map.side, block_side(input.options));
+  std::vector<zonal::GaussianLight> lights;
+  for (const auto* map : {&input.map.lights, &input.map.bodies}) {
+    if (map->empty()) continue;
+    const auto part = zonal::make_gaussian_lights(map->data(), input.map.side, block_side(input.options));
+    lights.insert(lights.end(), part.begin(), part.end());
+  }
   return make_cached(input, zonal::GaussianCache(lights), gather);
 }
 

@@ -49,11 +49,22 @@ struct Renderers {
   std::optional<PathTracer> paths;
 };
 
+void warn_of_glossy_reliefs(const Scene& scene, const MaterialTables& tables) {
+  for (const auto& [material, parts] : tables.parts) {
+    if (!scene.materials[material].relief || parts.rest.lobes.empty()) continue;
+    warn(program_name,
+         "virtual lights on '" + scene.materials[material].name +
+             "' and other glossy reliefs send their glossy light as if the surface lay as the relief does");
+    return;
+  }
+}
+
 void prepare_lights(Renderers& renderers, Report& report) {
   Options& options = report.options;
   renderers.tables =
       report.times.time(stage_name::materials, [&] { return project_materials(renderers.scene.materials, options); });
   report.material_error = renderers.tables.error;
+  warn_of_glossy_reliefs(renderers.scene, renderers.tables);
   throw_if_interrupted();
   if (options.time_budget) {
     report.times.time(stage_name::budget, [&] {

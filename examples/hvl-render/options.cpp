@@ -49,8 +49,8 @@ void add_material_options(CLI::App& app, Options& options) {
            for (const std::string& text : texts) options.materials.push_back(parse_material_change(text));
          },
          "Make the scene's material NAME (* for all) another; may be repeated. SPEC: " + material_specs() +
-             "; files are of the MERL and RGL databases; the x axis of anisotropic ones is horizontal, and x where "
-             "the surface is level")
+             "; files are of the MERL and RGL databases; the x axis of anisotropic ones lies along the texture "
+             "coordinate u, and horizontally where there is none. The surface keeps its relief, not its colours")
       ->type_name("NAME=SPEC")
       ->allow_extra_args(false)
       ->take_all()

@@ -14,7 +14,7 @@ namespace {
 
 struct Scattered {
   glm::vec3 direction;        // unit, world
-  glm::vec3 reflected{0.0f};  // BRDF times cosine
+  glm::vec3 reflected{0.0f};  // BRDF times cosine; black behind the triangle, whatever the normal says
   float density = 0.0f;       // per steradian; zero where the path ends
 };
 
@@ -24,8 +24,10 @@ Scattered scatter(const zonal::Brdf& brdf, const Hit& hit, const glm::vec3& outg
   const glm::vec3 local_outgoing = frame.to_local(outgoing);
   const zonal::BrdfSample sample = zonal::sample(brdf, local_outgoing, u_lobe, u);
   if (sample.pdf <= 0.0f) return {outgoing};
+  const glm::vec3 direction = frame.to_world(sample.direction);
+  if (glm::dot(direction, hit.geometric_normal) <= 0.0f) return {direction};
   const glm::vec3 reflected = zonal::evaluate(brdf, sample.direction, local_outgoing) * sample.direction.z;
-  return {frame.to_world(sample.direction), reflected, sample.pdf};
+  return {direction, reflected, sample.pdf};
 }
 
 /// The same for a direction that something else chose.
@@ -34,7 +36,7 @@ Scattered scatter_towards(const zonal::Brdf& brdf, const Hit& hit, const glm::ve
   const Frame frame(hit.normal, hit.tangent);
   const glm::vec3 local_outgoing = frame.to_local(outgoing);
   const glm::vec3 local_direction = frame.to_local(direction);
-  if (local_direction.z <= 0.0f) return {direction};
+  if (local_direction.z <= 0.0f || glm::dot(direction, hit.geometric_normal) <= 0.0f) return {direction};
   const glm::vec3 reflected = zonal::evaluate(brdf, local_direction, local_outgoing) * local_direction.z;
   return {direction, reflected, zonal::pdf(brdf, local_direction, local_outgoing)};
 }
@@ -86,13 +88,14 @@ glm::vec3 PathTracer::path_by_material(const Hit& start, const glm::vec3& to_cam
 
 glm::vec3 PathTracer::path_by_spotlight(const Hit& start, const glm::vec3& to_camera, const glm::vec2& u) const {
   const glm::vec3 none(0.0f);
-  const std::optional<Hit> lit = caster_.closest(scene_.light.position, cone_direction(scene_.light, u));
+  std::optional<Hit> lit = caster_.closest(scene_.light.position, cone_direction(scene_.light, u));
   if (!lit) return none;
   const float density = spotlight_density(start, *lit);
   if (density <= 0.0f) return none;
   const glm::vec3 direction = glm::normalize(lit->position - start.position);
   const Scattered scattered = scatter_towards(brdf_at(scene_, start), start, to_camera, direction);
   if (scattered.reflected == none) return none;
+  lit->normal = face_viewer(lit->normal, -direction);  // now seen from the start
   const glm::vec3 radiance = unshadowed_radiance(scene_, *lit, -direction);
   if (radiance == none || !caster_.visible(start, *lit)) return none;
   return scattered.reflected * radiance / (scattered.density + density);

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "random.hpp"
+#include "shared/random.hpp"
 #include "shared/ray_caster.hpp"
 #include "shared/scene.hpp"
 

@@ -22,13 +22,11 @@
 namespace example::hvl_render {
 namespace {
 
-/// The light of one texel of the spotlight's map; its flux is zero where there is none.
-zonal::VirtualLight shoot(const Scene& scene, const RayCaster& caster, const MaterialTables& tables,
-                          const glm::vec2& texel, float texel_solid_angle) {
-  const glm::vec3 direction = cone_direction(scene.light, texel);
+/// The light of what a ray along the direction hits; its flux is zero where there is none.
+zonal::VirtualLight light_at(const Scene& scene, const MaterialTables& tables, const glm::vec3& direction,
+                             const std::optional<Hit>& hit, float texel_solid_angle) {
   zonal::VirtualLight light{};
   light.to_primary = -direction;
-  const std::optional<Hit> hit = caster.closest(scene.light.position, direction);
   if (!hit) return light;
   light.position = hit->position;
   light.normal = hit->normal;
@@ -42,6 +40,36 @@ zonal::VirtualLight shoot(const Scene& scene, const RayCaster& caster, const Mat
   // Intensity times solid angle is all the light that lands there, whatever the surface's slope.
   light.flux = scene.light.intensity_towards(direction) * texel_solid_angle;
   return light;
+}
+
+/// What a virtual light of a material in parts stands on.
+struct Surface {
+  std::uint32_t material = 0;
+  glm::vec3 colour{1.0f}, geometric_normal{0.0f};
+};
+
+/// Leaves the light what the rest of its material reflects, if there is any, and returns what the body does.
+zonal::VirtualLight split_body(zonal::VirtualLight& light, const MaterialParts& parts, const Surface& surface) {
+  if (parts.body.lobes.empty()) return {};
+  zonal::VirtualLight body = light;
+  body.flux *= surface.colour;
+  body.brdf = &parts.body;
+  body.material = parts.emitting ? &*parts.emitting : nullptr;
+  body.anisotropic = nullptr;
+  const bool has_rest = !parts.rest.lobes.empty();
+  light.brdf = has_rest ? &parts.rest : nullptr;
+  if (!has_rest) light.material = nullptr;
+  return body;
+}
+
+/// The relief catches light by its own normal, but it is the surface's area that sends it: so does the body. What is
+/// glossy sends it by the relief's normal, about which its lobes lie: an approximation.
+void apply_relief(zonal::VirtualLight& light, zonal::VirtualLight& body, const Surface& surface) {
+  const float caught = glm::dot(light.normal, light.to_primary);
+  const float share = caught / std::max(glm::dot(surface.geometric_normal, light.to_primary), 1e-4f);
+  light.flux *= share;
+  body.flux *= share;
+  body.normal = surface.geometric_normal;
 }
 
 void set_radii(std::vector<zonal::VirtualLight>& map, int side, const Spotlight& spotlight, const Options& options) {
@@ -72,20 +100,33 @@ VirtualLightMap shoot_virtual_lights(const Scene& scene, const RayCaster& caster
                                      const Options& options) {
   const int side = map_side(options);
   const float texel_solid_angle = scene.light.solid_angle() / (static_cast<float>(side) * static_cast<float>(side));
-  VirtualLightMap map{side, {}};
-  map.lights.resize(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
-  tbb::parallel_for(0, side * side, [&](int i) {
-    const glm::vec2 texel((static_cast<float>(i % side) + 0.5f) / static_cast<float>(side),
-                          (static_cast<float>(i / side) + 0.5f) / static_cast<float>(side));
-    map.lights[static_cast<std::size_t>(i)] = shoot(scene, caster, tables, texel, texel_solid_angle);
+  const std::size_t size = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
+  VirtualLightMap map{side, std::vector<zonal::VirtualLight>(size), {}};
+  std::vector<Surface> surfaces(tables.parts.empty() ? 0 : size);
+  tbb::parallel_for(0, side * side, [&](int texel) {
+    const glm::vec2 place((static_cast<float>(texel % side) + 0.5f) / static_cast<float>(side),
+                          (static_cast<float>(texel / side) + 0.5f) / static_cast<float>(side));
+    const auto i = static_cast<std::size_t>(texel);
+    const glm::vec3 direction = cone_direction(scene.light, place);
+    const std::optional<Hit> hit = caster.closest(scene.light.position, direction);
+    map.lights[i] = light_at(scene, tables, direction, hit, texel_solid_angle);
+    if (!surfaces.empty() && hit) surfaces[i] = {hit->material, hit->colour, hit->geometric_normal};
   });
   set_radii(map.lights, side, scene.light, options);
+  map.bodies.resize(surfaces.size());
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    const auto parts = tables.parts.find(surfaces[i].material);
+    if (!is_lit(map.lights[i]) || parts == tables.parts.end()) continue;
+    map.bodies[i] = split_body(map.lights[i], parts->second, surfaces[i]);
+    if (scene.materials[surfaces[i].material].relief) apply_relief(map.lights[i], map.bodies[i], surfaces[i]);
+  }
   return map;
 }
 
 std::vector<zonal::VirtualLight> lit(const VirtualLightMap& map) {
   std::vector<zonal::VirtualLight> lights;
   std::copy_if(map.lights.begin(), map.lights.end(), std::back_inserter(lights), is_lit);
+  std::copy_if(map.bodies.begin(), map.bodies.end(), std::back_inserter(lights), is_lit);
   return lights;
 }
 
@@ -139,6 +180,19 @@ zonal::MaterialTable project(const Material& material, std::optional<std::uint64
   }
 }
 
+/// The body's tables are there for HVL.
+MaterialParts split(const Material& material, int bands, const Options& options) {
+  MaterialParts parts;
+  for (const zonal::BrdfLobe& lobe : material.brdf.lobes) {
+    (is_diffuse(lobe) ? parts.body : parts.rest).lobes.push_back(lobe);
+  }
+  if (options.method != Method::hvl) return parts;
+  const zonal::MaterialTable table = project({material.name, parts.body}, std::nullopt, bands, options);
+  parts.receiving = table.windowed(options.window, options.bands);
+  parts.emitting = table.windowed(options.window, options.emission_bands);
+  return parts;
+}
+
 }  // namespace
 
 MaterialTables project_materials(const std::vector<Material>& materials, const Options& options) {
@@ -150,6 +204,11 @@ MaterialTables project_materials(const std::vector<Material>& materials, const O
   std::map<std::uint64_t, std::size_t> projected;  // files, and the first material of each
   for (const Material& material : materials) {
     throw_if_interrupted();
+    const MaterialParts* parts = nullptr;
+    if (material.colour || material.relief) {
+      const auto number = static_cast<std::uint32_t>(&material - materials.data());
+      parts = &tables.parts.emplace(number, split(material, bands, options)).first->second;
+    }
     const std::optional<std::uint64_t> file = fingerprint(material);
     const auto known = file ? projected.find(*file) : projected.end();
     const bool isotropic = is_isotropic(material.brdf);
@@ -167,12 +226,15 @@ MaterialTables project_materials(const std::vector<Material>& materials, const O
         tables.anisotropic.push_back(std::shared_ptr<const zonal::AnisotropicTable>(tables.anisotropic[first]));
         continue;
       }
+      const bool has_body = parts && !parts->body.lobes.empty();
       const zonal::MaterialTable table =
-          isotropic ? project(material, file, bands, options) : zonal::project_material(zonal::Brdf{}, bands);
+          isotropic ? project(has_body ? Material{material.name, parts->rest} : material, file, bands, options)
+                    : zonal::project_material(zonal::Brdf{}, bands);
       tables.receiving.push_back(table.windowed(options.window, options.bands));
       tables.emitting.push_back(table.windowed(options.window, options.emission_bands));
       tables.anisotropic.push_back(isotropic ? nullptr : anisotropic_table(material, bands, options));
       tables.error = std::max(tables.error, table.achieved_error());
+      if (parts) tables.error = std::max(tables.error, parts->receiving->achieved_error());
     }
     if (file) projected.emplace(*file, static_cast<std::size_t>(&material - materials.data()));
   }

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <zonal/gather/virtual_light.hpp>
@@ -13,14 +16,22 @@
 
 namespace example::hvl_render {
 
+/// A material with a texture of colours or a relief: its body and the rest apart, since what it reflects is rest +
+/// colour body. The tables are for HVL.
+struct MaterialParts {
+  zonal::Brdf rest, body;
+  std::optional<zonal::MaterialTable> receiving, emitting;  // of the body, where the texture is white
+};
+
 /// A scene's materials as the method needs them; what it does not need is empty. For HVL, windowed for the bands with
-/// which a receiver reads them, and for those of a virtual light's emission.
+/// which a receiver reads them, and for those of a virtual light's emission; of materials in parts, the rest.
 struct MaterialTables {
   std::vector<zonal::MaterialTable> receiving;
   std::vector<zonal::MaterialTable> emitting;
   std::vector<zonal::ZonalTable> zonal;
   /// Null for isotropic materials; those of the others fill themselves, and what stands above for them is black.
   std::vector<std::shared_ptr<const zonal::AnisotropicTable>> anisotropic;
+  std::map<std::uint32_t, MaterialParts> parts;  // by the material's number
   double error = 0.0;  // greatest of the isotropic projections, of each table's largest coefficient
 };
 
@@ -30,7 +41,8 @@ MaterialTables project_materials(const std::vector<Material>& materials, const O
 /// surface, or carry no light, leave one without flux.
 struct VirtualLightMap {
   int side = 0;
-  std::vector<zonal::VirtualLight> lights;  // row by row
+  std::vector<zonal::VirtualLight> lights;  // row by row; of materials in parts, what the rest sends,
+  std::vector<zonal::VirtualLight> bodies;  // and here what the body does; empty where there are none
 };
 
 /// The side of the square map for the options' lights: as many lights at least, or as many blocks.

@@ -8,6 +8,7 @@
 
 #include "help_formatter.hpp"
 #include "input_error.hpp"
+#include "names.hpp"
 
 namespace example {
 namespace {
@@ -31,6 +32,12 @@ std::string message(const CLI::ParseError& error) {
 std::string version(const std::string& program) {
   return program + " " + std::to_string(zonal::version_major) + "." + std::to_string(zonal::version_minor) + "." +
          std::to_string(zonal::version_patch);
+}
+
+std::string scene_names() {
+  std::string text;
+  for (const auto& [name, finish] : atrium_names) text += name + "|";
+  return text + "furnace|FILE.obj";
 }
 
 }  // namespace
@@ -119,11 +126,11 @@ void add_run_options(CLI::App& app, CommonOptions& options) {
 }
 
 void add_scene_options(CLI::App& app, CommonOptions& options) {
-  app.add_option(
-         "--scene", options.scene,
-         "The built-in hall, all matte, or glossy all over; the inside of a white sphere; or a Wavefront OBJ file "
-         "with its MTL")
-      ->type_name("atrium|atrium-diffuse|atrium-glossy|furnace|FILE.obj")
+  app.add_option("--scene", options.scene,
+                 "The built-in hall, all matte, glossy all over, with rough floor and walls, or open above; the inside "
+                 "of a white sphere; "
+                 "or a Wavefront OBJ file with its MTL and pictures: map_Kd, norm, map_Bump")
+      ->type_name(scene_names())
       ->check(not_empty())
       ->capture_default_str()
       ->group(scene_group);

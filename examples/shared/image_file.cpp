@@ -190,7 +190,8 @@ Image read_picture(const std::filesystem::path& path) {
 
 Texture read_texture(const std::filesystem::path& path, TextureUse use) {
   if (path.extension() == ".exr") {
-    const Image image = read_exr(path);
+    Image image = read_exr(path);
+    blacken_non_finite(image);
     std::vector<float> linear;
     for (const glm::vec3& pixel : image.pixels) linear.insert(linear.end(), {pixel.r, pixel.g, pixel.b});
     return {image.width, image.height, 3, std::move(linear)};

@@ -73,7 +73,7 @@ class MapReader {
     } else {
       return false;
     }
-    rest = words;
+    rest = without_blanks(words);
     return true;
   }
 

@@ -94,7 +94,7 @@ class Pictures {
   /// scale: the file's unit of length in metres.
   Material material(const MtlMaterial& source, double scale) {
     const TextureMap colour = map(source.colour, TextureUse::colour);
-    const glm::vec3 mean = colour ? colour.texture->mean() : glm::vec3(1.0f);
+    const glm::vec3 mean = colour ? glm::clamp(colour.texture->mean(), 0.0f, 1.0f) : glm::vec3(1.0f);
     Material material = make_material(source, diffuse_of(source, bool(colour)), mean);
     material.relief = relief(source, scale);
     if (!colour) return material;
@@ -120,7 +120,7 @@ class Pictures {
  private:
   /// Without a texture where the file cannot be read.
   TextureMap map(const std::optional<MtlMap>& source, TextureUse use) {
-    if (!source) return {};
+    if (!source || source->name.empty()) return {};
     if (!source->file) {
       missing_.insert(source->name);
       return {};
@@ -212,11 +212,29 @@ std::vector<std::string> messages(const std::string& path, const Placement& plac
 
 // ---- Triangles ------------------------------------------------------------------------------------------------------
 
-/// Builds the mesh, vertex by vertex of the file: its normals, and one of the mesh's vertices for each of them.
+bool is_textured(const Material& material) { return material.colour || material.relief; }
+
+/// Of a file whose materials are textured: where its faces have no texture coordinates, they are 0.
+std::vector<std::string> missing_coordinates(const std::string& path, const ObjFile& file,
+                                             const std::vector<Material>& materials) {
+  std::set<std::string> names;
+  for (const ObjFile::Triangle& triangle : file.triangles) {
+    if (triangle.material == ObjFile::none || !is_textured(materials[triangle.material])) continue;
+    for (const ObjFile::Corner& corner : triangle.corners) {
+      if (corner.coordinates == ObjFile::none) names.insert(materials[triangle.material].name);
+    }
+  }
+  if (names.empty()) return {};
+  return {path + ": no texture coordinates for some of " + listed(names) + "; there they are 0"};
+}
+
+/// Builds the mesh, vertex by vertex of the file: its normals, and one of the mesh's vertices for each of them and of
+/// their texture coordinates.
 class MeshMaker {
  public:
-  MeshMaker(const ObjFile& file, const Placement& place, std::uint32_t default_material, Mesh& mesh)
-      : file_(file), place_(place), mesh_(mesh) {
+  MeshMaker(const ObjFile& file, const Placement& place, std::uint32_t default_material, bool has_coordinates,
+            Mesh& mesh)
+      : file_(file), place_(place), has_coordinates_(has_coordinates), mesh_(mesh) {
     for (const ObjFile::Triangle& triangle : file.triangles) {
       const glm::vec3 area = area_of(triangle);
       // The mesh has floats, and uses squares of areas.
@@ -316,10 +334,10 @@ class MeshMaker {
       const auto begin = corners_.begin() + static_cast<std::ptrdiff_t>(group.first);
       const auto end = corners_.begin() + static_cast<std::ptrdiff_t>(group.last);
       const glm::vec3 normal = normal_of(group);
-      if (file_.texture_coordinates.empty()) {
-        add_corners(position, normal, begin, end);
-      } else {
+      if (has_coordinates_) {
         add_by_coordinates(position, normal, begin, end);
+      } else {
+        add_corners(position, normal, begin, end);
       }
     }
   }
@@ -376,6 +394,7 @@ class MeshMaker {
 
   const ObjFile& file_;
   const Placement& place_;
+  bool has_coordinates_;
   Mesh& mesh_;
   std::vector<const ObjFile::Triangle*> sources_;
   std::vector<glm::vec3> areas_;  // along the normals, twice as long as the triangles are large
@@ -399,11 +418,14 @@ Scene load_obj(const std::string& path, const ObjView& view) {
   scene.files.insert(scene.files.end(), pictures.files().begin(), pictures.files().end());
   const auto default_material = static_cast<std::uint32_t>(scene.materials.size());
   scene.materials.push_back({"default", matte(grey)});
-  MeshMaker(file, placement, default_material, scene.mesh).make();
+  const bool is_any_textured = std::any_of(scene.materials.begin(), scene.materials.end(), is_textured);
+  const bool has_coordinates = is_any_textured || !file.texture_coordinates.empty();
+  MeshMaker(file, placement, default_material, has_coordinates, scene.mesh).make();
   set_tangents(scene.mesh);
   if (scene.mesh.triangles.empty()) throw InputError(path + ": no triangles in it");
   scene.warnings = file.warnings;
   for (std::string& line : pictures.warnings()) scene.warnings.push_back(std::move(line));
+  for (std::string& line : missing_coordinates(path, file, scene.materials)) scene.warnings.push_back(std::move(line));
   for (std::string& line : messages(path, placement)) scene.warnings.push_back(std::move(line));
   place_camera_and_light(scene, view);
   return scene;

@@ -107,8 +107,13 @@ class ObjReader {
       fail(greatest_vertex_line_,
            "a face names vertex " + std::to_string(greatest_vertex_) + " of " + std::to_string(file_.positions.size()));
     }
+    if (const std::size_t count = file_.texture_coordinates.size(); greatest_coordinates_ > count) {
+      note_no_coordinates(std::to_string(greatest_coordinates_) + " of " + std::to_string(count),
+                          greatest_coordinates_line_);
+    }
     add_triangles();
     add_materials();
+    if (!no_coordinates_.empty()) file_.warnings.push_back(no_coordinates_ + "; there they are 0");
     if (!left_out_.empty()) file_.warnings.push_back(path_ + ": left out: " + listed(left_out_));
     return std::move(file_);
   }
@@ -224,9 +229,19 @@ class ObjReader {
     };
     const std::string_view middle = slash == std::string_view::npos ? "" : word.substr(slash + 1, second - slash - 1);
     const std::string_view last = second == std::string_view::npos ? "" : word.substr(second + 1);
-    ObjFile::Corner corner{static_cast<std::uint32_t>(vertex), index_in(middle, file_.texture_coordinates.size()),
-                           index_in(last, file_.normals.size())};
-    return corner;
+    const std::uint32_t coordinates = index_in(middle, file_.texture_coordinates.size());
+    if (coordinates == ObjFile::none && !middle.empty()) note_no_coordinates(word, line);
+    if (coordinates != ObjFile::none && coordinates >= greatest_coordinates_) {
+      greatest_coordinates_ = std::size_t{coordinates} + 1;
+      greatest_coordinates_line_ = line;
+    }
+    return {static_cast<std::uint32_t>(vertex), coordinates, index_in(last, file_.normals.size())};
+  }
+
+  /// Of the first that is wrong: careless files have many.
+  void note_no_coordinates(std::string_view word, int line) {
+    if (!no_coordinates_.empty()) return;
+    no_coordinates_ = path_ + ":" + std::to_string(line) + ": " + quoted(word) + " names no texture coordinates";
   }
 
   void add_triangles() {
@@ -292,6 +307,9 @@ class ObjReader {
   std::uint32_t mesh_ = 0;
   std::size_t greatest_vertex_ = 0;
   int greatest_vertex_line_ = 0;
+  std::size_t greatest_coordinates_ = 0;
+  int greatest_coordinates_line_ = 0;
+  std::string no_coordinates_;
   std::set<std::string> left_out_;
 };
 

@@ -55,7 +55,7 @@ class PrimaryHits {
 /// body(slice) for the slices of an image, from the top.
 template <class Body>
 void for_each_slice(int width, int height, int antialias, const Body& body) {
-  // Some 60 bytes per primary sample: a slice of a million is enough for many threads and little to hold.
+  // Some 80 bytes per primary sample: a slice of a million is enough for many threads and little to hold.
   constexpr int samples_per_slice = 1 << 20;
   const int rows_per_slice = std::max(1, samples_per_slice / (width * antialias * antialias));
   for (int row = 0; row < height; row += rows_per_slice) body(Slice{row, std::min(rows_per_slice, height - row)});

@@ -25,13 +25,6 @@ RTCRay make_ray(const glm::vec3& origin, const glm::vec3& direction, float end) 
   return ray;
 }
 
-/// The normal bent back towards the viewer where interpolation turned it away, at silhouettes.
-glm::vec3 face_viewer(const glm::vec3& normal, const glm::vec3& to_viewer) {
-  constexpr float least_cosine = 1e-3f;
-  const float cosine = glm::dot(normal, to_viewer);
-  return cosine >= least_cosine ? normal : glm::normalize(normal + (least_cosine - cosine) * to_viewer);
-}
-
 template <class Value>
 Value interpolated(const std::vector<Value>& values, const glm::uvec3& triangle, const glm::vec2& place) {
   return (1.0f - place.x - place.y) * values[triangle.x] + place.x * values[triangle.y] + place.y * values[triangle.z];
@@ -113,7 +106,7 @@ Hit make_hit(const Scene& scene, const RTCRayHit& found, const glm::vec3& direct
   }
   const TexturedTriangle textured(mesh, triangle, place);
   const Material& material = scene.materials[hit.material];
-  if (material.colour) hit.colour = material.colour.at(textured.coordinates());
+  if (material.colour) hit.colour = glm::clamp(material.colour.at(textured.coordinates()), 0.0f, 1.0f);
   if (material.relief) normal = textured.bent(normal, material.relief);
   hit.normal = face_viewer(side * normal, -direction);
   hit.tangent = textured.tangent();
@@ -136,6 +129,12 @@ const zonal::Brdf& brdf_at(const Scene& scene, const Hit& hit) {
     std::visit([&](auto& model) { multiply_body(model, hit.colour); }, lobe);
   }
   return coloured;
+}
+
+glm::vec3 face_viewer(const glm::vec3& normal, const glm::vec3& to_viewer) {
+  constexpr float least_cosine = 1e-3f;
+  const float cosine = glm::dot(normal, to_viewer);
+  return cosine >= least_cosine ? normal : glm::normalize(normal + (least_cosine - cosine) * to_viewer);
 }
 
 RayCaster::RayCaster(const Scene& scene) : scene_(scene) {

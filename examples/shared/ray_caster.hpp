@@ -30,6 +30,10 @@ struct Hit {
 /// thread asks again.
 const zonal::Brdf& brdf_at(const Scene& scene, const Hit& hit);
 
+/// The normal bent back where it is a right angle or more from the direction to the viewer: at silhouettes, where
+/// interpolation turns it away, and on reliefs.
+glm::vec3 face_viewer(const glm::vec3& normal, const glm::vec3& to_viewer);
+
 /// Visibility in a scene, by Embree. The scene must outlive it. Safe to use from many threads.
 class RayCaster {
  public:

@@ -21,7 +21,7 @@ struct Material {
   zonal::Brdf brdf;
   std::filesystem::path file{};  // of a measured material; else empty
   glm::vec3 emission{0.0f};      // radiance that the camera sees, and that lights nothing
-  TextureMap colour{};           // shares in [0, 1]: of the light that its body, the lobes of is_diffuse, reflects
+  TextureMap colour{};           // what its body, the lobes of is_diffuse, reflects is multiplied by, cut to [0, 1]
   Relief relief{};
 };
 
@@ -59,9 +59,10 @@ struct Scene {
 
 Bounds bounds_of(const Mesh& mesh);
 
-/// The built-in hall of columns: of matte and glossy materials, of matte ones alone, or glossy all over; and the first
-/// and the last of them with rough floor and walls, whose normals change from pixel to pixel.
-enum class AtriumFinish { mixed, diffuse, glossy, bumped, bumped_glossy };
+/// The built-in hall of columns: of matte and glossy materials, of matte ones alone, or glossy all over; the last two
+/// also with rough floor, walls and stones, whose normals change from pixel to pixel. The courtyard is rough, of matte
+/// and glossy materials, and open above, for a light probe to shine in.
+enum class AtriumFinish { mixed, diffuse, glossy, bumped, bumped_glossy, courtyard };
 Scene make_atrium(AtriumFinish finish = AtriumFinish::mixed);
 
 /// A white sphere about its light, seen from inside. All that it reflects once is the same at all its points.

@@ -447,3 +447,29 @@ TEST_CASE("VPL, VSL and VSGL of a user's own model are those of the model it cop
                 1e-5);
   }
 }
+
+TEST_CASE("a texture's colour: mixed into HVL's coefficients, and as the zonal gather's tint, is the material's own") {
+  const glm::vec3 colour(0.3F, 1.0F, 0.0F), albedo(0.3F, 0.5F, 0.2F);
+  const zonal::BrdfLobe gloss = zonal::GgxBrdf{0.3F, zonal::DielectricFresnel{1.5F}};
+  const zonal::Brdf whole{{zonal::LambertBrdf{albedo}, gloss}}, coloured{{zonal::LambertBrdf{colour * albedo}, gloss}};
+  const auto coloured_table = zonal::project_material(coloured, 5), rest = zonal::project_material({{gloss}}, 5);
+  const auto body = zonal::project_material({{zonal::LambertBrdf{albedo}}}, 5);
+  const auto coloured_zonal = zonal::project_zonal(coloured, 5), zonal = zonal::project_zonal(whole, 5);
+  Random random(31);
+  const auto lights = random_lights(random, 50);
+  const zonal::HvlCache<3> spheres(lights);
+  const LightCache cache(lights);
+  for (int i = 0; i < 20; ++i) {
+    Receiver receiver;
+    receiver.position = 0.5F * random.direction();
+    receiver.normal = random.direction();
+    receiver.outgoing = random.direction_above(receiver.normal);
+    const float cosine = glm::dot(receiver.normal, receiver.outgoing);
+    const auto mixed = rest.with_cosine<5>(cosine) + colour * body.with_cosine<5>(cosine);
+    CAPTURE(i);
+    check_close(zonal::gather<5, 3>(spheres, receiver, mixed),
+                glm::dvec3(zonal::gather<5, 3>(spheres, receiver, coloured_table)), 1e-5);
+    check_close(zonal::gather_hvl_zonal<5>(cache, receiver, zonal, {}, colour),
+                glm::dvec3(zonal::gather_hvl_zonal<5>(cache, receiver, coloured_zonal)), 1e-5);
+  }
+}

@@ -1,13 +1,18 @@
 # The programs as a user meets them: what they say of bad input, and what files they leave. A program's own file sets
 #   program   its target
 #   small     arguments that make it fast
+#   few       those that ask for few lights, if not --lights 1
 # and includes this one.
+if(NOT few)
+  set(few --lights 1)
+endif()
+list(JOIN few " " few_words)
 set(programs_dir ${CMAKE_CURRENT_LIST_DIR})
 set(work_dir ${CMAKE_CURRENT_BINARY_DIR}/cases)
 string(REPEAT a 300 long_name)
 
 add_test(NAME "${program}: inputs of the cases" COMMAND
-  ${programs_dir}/make_inputs.sh $<TARGET_FILE:${program}> ${programs_dir}/scenes ${work_dir}/inputs)
+  ${programs_dir}/make_inputs.sh $<TARGET_FILE:${program}> ${programs_dir}/scenes ${work_dir}/inputs ${few})
 set_tests_properties("${program}: inputs of the cases" PROPERTIES FIXTURES_SETUP ${program}_inputs)
 
 # program_case(<name> <exit status> <new files> <pattern of standard error> <command>...)
@@ -31,10 +36,12 @@ endfunction()
 # guards_its_output(): standard output that is full or closed is an error, and no output replaces what is read.
 function(guards_its_output)
   program_case("full output" 1 "x.png" "${program}: standard output: cannot be written .No space left on device."
-    sh -c "'$<TARGET_FILE:${program}>' --scene box.obj --lights 1 --size 16x12 --out x.png >/dev/full")
+    sh -c "'$<TARGET_FILE:${program}>' --scene box.obj ${few_words} --size 16x12 --out x.png >/dev/full")
   program_case("closed output" 1 "" "${program}: standard output: is closed"
-    sh -c "'$<TARGET_FILE:${program}>' --scene box.obj --lights 1 --size 16x12 --out x.png >&-")
+    sh -c "'$<TARGET_FILE:${program}>' --scene box.obj ${few_words} --size 16x12 --out x.png >&-")
   refused("report on the scene" "./box.obj: is read, and cannot be written as well" --scene box.obj --report ./box.obj)
+  refused("report on a scene's picture" "two pixels.ppm: is read, and cannot be written as well"
+    --scene textured.obj --report "two pixels.ppm")
   refused("report of an over-long name" "a+: cannot be written .File name too long." --report ${long_name})
 endfunction()
 

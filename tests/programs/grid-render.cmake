@@ -89,6 +89,7 @@ list(JOIN compared " " compared)
 renders("help" "" "" --help)
 renders("comparison" "out ${compared} x.json" "" --scene box.obj --compare out --report x.json --bands 3)
 renders("picture without a grid" "x.png" "" --scene box.obj --interpolation none --bands 9 --out x.png)
+renders("textures" "x.png" "" --scene textured.obj --out x.png)
 renders("flat scene without the stage" "grid-render.png" "" --scene triangle.obj --no-stage --quiet)
 renders("lit by a picture" "x.exr" "" --scene box.obj --texture reference.exr --quadtree-error 0.2 --out x.exr)
 

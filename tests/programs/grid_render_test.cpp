@@ -70,6 +70,20 @@ double disc_area(const SphereLights& lights) {
 
 }  // namespace
 
+TEST_CASE("shading: a texture colours what is diffuse, and nothing else") {
+  const glm::vec3 colour(0.25f, 0.5f, 1.0f), to_eye = direction(40.0);
+  zonal::Sh<5, glm::vec3> sky{};
+  for (int i = 0; i < sky.size(); ++i) sky[i] = glm::vec3(1.0f / static_cast<float>(i + 1));
+  Hit coloured = surface();
+  coloured.colour = colour;
+  check_close(reflect(sky, coloured, to_eye, reflector_of(chalk, 5)),
+              colour * reflect(sky, surface(), to_eye, reflector_of(chalk, 5)), 1e-6);
+  for (const zonal::Brdf* brdf : {&gold, &shiny}) {
+    check_close(reflect(sky, coloured, to_eye, reflector_of(*brdf, 5)),
+                reflect(sky, surface(), to_eye, reflector_of(*brdf, 5)), 0.0);
+  }
+}
+
 TEST_CASE("shading: under an even sky every material reflects its albedo") {
   zonal::Sh<5, glm::vec3> sky{};
   sky[0] = glm::vec3(static_cast<float>(2.0 * std::sqrt(pi)));

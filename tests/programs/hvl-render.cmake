@@ -132,9 +132,17 @@ foreach(method vpl vsl vsgl hvl-zonal)
   list(JOIN compared " " compared)
   renders("comparison of ${method}" "out ${compared}" "" --scene box.obj --method ${method} --compare out)
 endforeach()
+foreach(method vpl vsl vsgl hvl hvl-zonal)
+  renders("textures by ${method}" "x.png" "hvl-render: warning: virtual lights on 'tile' and other glossy reliefs .*"
+    --scene textured.obj --method ${method} --out x.png)
+endforeach()
+renders("textures by paths" "x.png" "" --scene textured.obj --method path --out x.png)
 foreach(scene atrium-diffuse atrium-glossy furnace)
   renders("${scene}" "x.png" "" --scene ${scene} --out x.png)
 endforeach()
+renders("courtyard" "x.png" "hvl-render: warning: virtual lights on 'light tile' and other glossy .*"
+  --scene courtyard --out x.png)
+renders("atrium-bumped" "x.png" "" --scene atrium-bumped --out x.png)
 renders("other materials" "x.exr" "" --out x.exr --material gold=copper:0.1 --material *=plastic:0.1,0.2,0.3,0.4)
 renders("multiple scattering" "x.exr" "" --out x.exr --multiple-scattering --material gold=copper:1)
 program_case("time budget of many texels" 0 "x.png" "" $<TARGET_FILE:hvl-render>

@@ -9,6 +9,8 @@
 #include "hvl-render/virtual_lights.hpp"
 
 #include <cmath>
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,8 @@
 #include "shared/input_error.hpp"
 #include "shared/materials.hpp"
 #include "shared/mesh_builder.hpp"
+#include "shared/noise.hpp"
+#include "shared/tangents.hpp"
 
 namespace {
 
@@ -67,11 +71,14 @@ std::vector<Hit> some_hits(const Scene& scene, const RayCaster& caster) {
 glm::vec3 to_camera(const Scene& scene, const Hit& hit) { return glm::normalize(scene.camera.position - hit.position); }
 
 /// side^2 points where light lands.
-VirtualLightMap points_of(const Scene& scene, const RayCaster& caster, int side) {
+VirtualLightMap points_of(const Scene& scene, const RayCaster& caster, const MaterialTables& tables, int side) {
   Options options;
   options.method = Method::vpl;
   options.lights = side * side;
-  return shoot_virtual_lights(scene, caster, {}, options);
+  return shoot_virtual_lights(scene, caster, tables, options);
+}
+VirtualLightMap points_of(const Scene& scene, const RayCaster& caster, int side) {
+  return points_of(scene, caster, {}, side);
 }
 
 struct Estimate {
@@ -97,7 +104,7 @@ glm::dvec3 by_quadrature(const Scene& scene, const RayCaster& caster, const Hit&
   constexpr int rings = 700, spokes = 1400;
   const Frame frame(hit.normal);
   const glm::vec3 wo = frame.to_local(to_camera(scene, hit));
-  const zonal::Brdf& brdf = scene.materials[hit.material].brdf;
+  const zonal::Brdf brdf = brdf_at(scene, hit);
   glm::dvec3 sum(0.0);
   for (int i = 0; i < rings; ++i) {
     const double z = (i + 0.5) / rings, r = std::sqrt(1.0 - z * z);
@@ -105,6 +112,7 @@ glm::dvec3 by_quadrature(const Scene& scene, const RayCaster& caster, const Hit&
       const double phi = 2.0 * pi * (j + 0.5) / spokes;
       const glm::vec3 wi(glm::dvec3(r * std::cos(phi), r * std::sin(phi), z));
       const glm::vec3 direction = frame.to_world(wi);
+      if (glm::dot(direction, hit.geometric_normal) <= 0.0f) continue;
       const auto next = caster.closest_from(hit, direction);
       if (!next) continue;
       sum += glm::dvec3(zonal::evaluate(brdf, wi, wo) * direct_radiance(scene, caster, *next, -direction)) * z;
@@ -121,7 +129,7 @@ glm::dvec3 by_light_tracing(const Scene& scene, const RayCaster& caster, const s
     return caster.visible(hit, Hit{position, normal, normal, 0.0f, 0});
   };
   return glm::dvec3(gather_vpl(cache, {hit.position, hit.normal, to_camera(scene, hit), hit.tangent},
-                               scene.materials[hit.material].brdf, 0.0f, visible));
+                               brdf_at(scene, hit), 0.0f, visible));
 }
 
 std::string error_of(const std::string& change) {
@@ -238,6 +246,134 @@ TEST_CASE("every method: a finite picture that is not black, with visibility no 
       CHECK(std::isfinite(sum[c]));
       CHECK(visible_sum[c] > 0.0f);
       CHECK(visible_sum[c] <= 1.0001f * sum[c]);
+    }
+  }
+}
+
+namespace {
+
+TextureMap texture_map(int width, int height, const std::vector<std::uint8_t>& rgb) {
+  TextureMap map;
+  map.texture = std::make_shared<const Texture>(width, height, 3, rgb, TextureUse::values);
+  return map;
+}
+
+/// With metres as texture coordinates on its walls.
+Scene textured_box_scene() {
+  Scene scene = box_scene();
+  scene.mesh.texture_coordinates.assign(scene.mesh.positions.size(), glm::vec2(0.0f));
+  for (std::size_t i = 0; i < scene.mesh.positions.size(); ++i) {
+    const glm::vec3 &p = scene.mesh.positions[i], n = glm::abs(scene.mesh.normals[i]);
+    scene.mesh.texture_coordinates[i] = n.y > 0.5f ? glm::vec2(p.x, p.z) : n.x > 0.5f ? glm::vec2(p.z, p.y) : p;
+  }
+  set_tangents(scene.mesh);
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("textures: one of a single colour is the material of that colour, to paths and to every method") {
+  const glm::vec3 colour(0.2f, 0.6f, 1.0f);
+  Scene plain = textured_box_scene(), textured = plain;
+  plain.materials[1].brdf = matte(colour * glm::vec3(0.8f, 0.6f, 0.4f));
+  plain.materials[2].brdf = plastic(colour * glm::vec3(0.3f, 0.5f, 0.2f), 0.4f);
+  for (const std::size_t material : {1u, 2u}) textured.materials[material].colour = texture_map(1, 1, {51, 153, 255});
+  const RayCaster plain_caster(plain), textured_caster(textured);
+  const std::vector<Hit> plain_hits = some_hits(plain, plain_caster), hits = some_hits(textured, textured_caster);
+  const auto check = [](const glm::vec3& radiance, const glm::vec3& expected, float tolerance) {
+    for (int c = 0; c < 3; ++c) {
+      CAPTURE(c, radiance[c], expected[c]);
+      CHECK(expected[c] > 0.0f);
+      CHECK(std::abs(radiance[c] - expected[c]) <= tolerance * expected[c]);
+    }
+  };
+  const PathTracer plain_paths(plain, plain_caster, {64, 2, 7}, 1), paths(textured, textured_caster, {64, 2, 7}, 1);
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    CAPTURE(i);
+    CHECK(hits[i].material == plain_hits[i].material);
+    check(paths.indirect_radiance(hits[i], i), plain_paths.indirect_radiance(plain_hits[i], i), 1e-5f);
+  }
+  for (const Method method : {Method::vpl, Method::vsl, Method::vsgl, Method::hvl, Method::hvl_zonal}) {
+    Options options;
+    options.method = method;
+    options.lights = 100;
+    const auto radiance = [&](const Scene& scene, const RayCaster& caster, const std::vector<Hit>& at) {
+      const MaterialTables tables = project_materials(scene.materials, options);
+      const VirtualLightMap map = shoot_virtual_lights(scene, caster, tables, options);
+      const auto gatherer = make_gatherer({scene, caster, tables, map, options});
+      std::vector<glm::vec3> sums;
+      for (const Hit& hit : at) sums.push_back(gatherer->indirect_radiance(hit, to_camera(scene, hit), sums.size()));
+      return sums;
+    };
+    const auto sums = radiance(textured, textured_caster, hits), expected = radiance(plain, plain_caster, plain_hits);
+    // A light whose parts stand apart has others beside it, and its own random numbers; and what rings below zero is
+    // cut part by part.
+    const float tolerance = method == Method::vsl ? 0.05f : method == Method::hvl ? 1e-2f : 1e-5f;
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+      CAPTURE(static_cast<int>(method), i);
+      check(sums[i], expected[i], tolerance);
+    }
+  }
+}
+
+TEST_CASE("textures: paths agree with quadrature and light tracing, which follow them too") {
+  Scene scene = textured_box_scene();
+  const TextureMap checks = texture_map(2, 2, {255, 51, 51, 51, 255, 51, 51, 51, 255, 255, 255, 255});
+  for (const std::size_t material : {1u, 2u}) scene.materials[material].colour = checks;
+  const RayCaster caster(scene);
+  Options options;
+  options.method = Method::vpl;
+  const MaterialTables tables = project_materials(scene.materials, options);
+  const auto lights = lit(points_of(scene, caster, tables, 1000));
+  for (const Hit& hit : some_hits(scene, caster)) {
+    const Estimate paths = by_paths(scene, caster, hit);
+    const glm::dvec3 quadrature = by_quadrature(scene, caster, hit);
+    const glm::dvec3 tracing = by_light_tracing(scene, caster, lights, hit);
+    for (int c = 0; c < 3; ++c) {
+      CAPTURE(hit.material, c, paths.mean[c], paths.deviation[c], quadrature[c], tracing[c]);
+      CHECK(std::abs(paths.mean[c] - quadrature[c]) <= 4.0 * paths.deviation[c] + 0.002 * paths.mean[c]);
+      CHECK(std::abs(paths.mean[c] - tracing[c]) <= 4.0 * paths.deviation[c] + 0.005 * paths.mean[c]);
+    }
+  }
+}
+
+TEST_CASE("relief: paths agree with quadrature, and with light tracing from matte reliefs") {
+  Relief relief;
+  relief.map.texture = std::make_shared<const Texture>(noise_heights(256, 8, 3, 1));
+  relief.map.scale = glm::vec2(1.0f / 1.5f);
+  relief.strength = 0.12f;
+  for (const bool everywhere : {false, true}) {
+    Scene scene = textured_box_scene();
+    for (Material& material : scene.materials) {
+      if (everywhere || material.name == "chalk") material.relief = relief;
+    }
+    const RayCaster caster(scene);
+    Options options;
+    options.method = Method::vpl;
+    const MaterialTables tables = project_materials(scene.materials, options);
+    const VirtualLightMap map = points_of(scene, caster, tables, 1000);
+    const auto lights = lit(map);
+    // Of chalk the body alone sends light, of gold the rest, of lacquer both.
+    int bodies = 0, rests = 0, nothing = 0;
+    for (std::size_t i = 0; i < map.lights.size(); ++i) {
+      if (!is_lit(map.lights[i])) continue;
+      bodies += is_lit(map.bodies[i]), rests += map.lights[i].brdf != nullptr;
+      nothing += !is_lit(map.bodies[i]) && map.lights[i].brdf == nullptr;
+    }
+    CHECK(nothing == 0);
+    CHECK((bodies > 0 && rests > 0));
+    CHECK((bodies + rests > static_cast<int>(map.lights.size())) == everywhere);
+    for (const Hit& hit : some_hits(scene, caster)) {
+      const Estimate paths = by_paths(scene, caster, hit);
+      const glm::dvec3 quadrature = by_quadrature(scene, caster, hit);
+      const glm::dvec3 tracing = by_light_tracing(scene, caster, lights, hit);
+      for (int c = 0; c < 3; ++c) {
+        CAPTURE(everywhere, hit.material, c, paths.mean[c], paths.deviation[c], quadrature[c], tracing[c]);
+        CHECK(std::abs(paths.mean[c] - quadrature[c]) <= 4.0 * paths.deviation[c] + 0.003 * paths.mean[c]);
+        // The lights of glossy reliefs are an approximation.
+        if (everywhere) continue;
+        CHECK(std::abs(paths.mean[c] - tracing[c]) <= 4.0 * paths.deviation[c] + 0.005 * paths.mean[c]);
+      }
     }
   }
 }
@@ -371,6 +507,16 @@ TEST_CASE("materials: an anisotropic file is gathered in the surface's own frame
     for (int c = 0; c < 3; ++c) CHECK((std::isfinite(radiance[c]) && radiance[c] >= 0.0f));
   }
   CHECK(tables.anisotropic[0]->rows_built() > 0);
+  // A relief of no slope is none, and a file's material has no body.
+  Scene flat = textured_box_scene();
+  apply({parse_material_change("*=" + file)}, flat.materials);
+  for (Material& material : flat.materials) material.relief.map = texture_map(1, 1, {7, 7, 7});
+  const RayCaster flat_caster(flat);
+  options.method = Method::hvl;
+  const MaterialTables flat_tables = project_materials(flat.materials, options);
+  const VirtualLightMap flat_map = shoot_virtual_lights(flat, flat_caster, flat_tables, options);
+  CHECK(lit(flat_map).size() == lit(shoot_virtual_lights(scene, caster, tables, options)).size());
+  CHECK(flat_tables.anisotropic[0] != nullptr);
   // Paths know nothing of virtual lights, but of the same frames.
   const auto lights = lit(points_of(scene, caster, 200));
   const PathTracer tracer(scene, caster, {16384, 1, 7}, 1);

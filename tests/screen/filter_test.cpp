@@ -36,7 +36,8 @@ SurfacePicture broken_surfaces(int width, int height, unsigned seed) {
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       if (uniform() < 0.03F) continue;
-      const float tilt = uniform() < 0.1F ? 1.0F : 0.0F, step = uniform() < 0.1F ? 0.2F : 0.0F;
+      // A little tilted, one plane may hold the other's pixel and not the other way round.
+      const float tilt = uniform() < 0.1F ? 1.0F : uniform() < 0.2F ? 0.3F : 0.0F, step = uniform() < 0.1F ? 0.2F : 0.0F;
       const glm::vec3 normal(std::sin(tilt), std::cos(tilt), 0);
       const glm::vec3 position(0.01F * float(x), step + 0.001F * uniform(), 0.01F * float(y));
       surfaces.set_surface(x, y, position, normal, 5, uniform() < 0.1F ? 1 : 0, uniform() < 0.1F ? 1 : 0);

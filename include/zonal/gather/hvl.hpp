@@ -273,19 +273,27 @@ glm::vec3 gather_from(const Lights& lights, const ReceiverFrame<typename Lights:
 
 }  // namespace detail
 
-/// Outgoing radiance, RGB, at the receiver from all lights of the cache: one bounce, N bands of the receiver's
-/// material, of which those beyond its table's are zero. Negative sums, which ringing can leave, are cut to zero.
+/// Outgoing radiance, RGB, at the receiver from all lights of the cache: one bounce. `coefficients` are the receiver's
+/// material, F of MaterialTable at the direction to the eye; being linear in the material, they may be mixed from
+/// several tables, as where a texture colours a part of it. Negative sums, which ringing can leave, are cut to zero.
 template <int N, int NE, Horizon method = Horizon::smoothstep>
-glm::vec3 gather(const HvlCache<NE>& cache, const Receiver& receiver, const MaterialTable& material,
+glm::vec3 gather(const HvlCache<NE>& cache, const Receiver& receiver, const EvenSh<N, glm::vec3>& coefficients,
                  const Visibility& visible = {}) {
   using Lanes = typename HvlCache<NE>::Lanes;
   const auto frame = detail::frame_of<Lanes>(receiver);
-  const EvenSh<N, glm::vec3> coefficients = material.with_cosine<N>(glm::dot(receiver.normal, receiver.outgoing));
   glm::vec3 sum = detail::gather_from<N, NE, method>(cache, frame, coefficients, visible);
   if (const auto others = cache.anisotropic_lights(); others.packet_count() > 0) {
     sum += detail::gather_from<N, NE, method>(others, frame, detail::all_orders(coefficients), visible);
   }
   return (glm::max)(sum, glm::vec3(0));
+}
+
+/// The same with N bands of the table, of which those that it does not have are zero.
+template <int N, int NE, Horizon method = Horizon::smoothstep>
+glm::vec3 gather(const HvlCache<NE>& cache, const Receiver& receiver, const MaterialTable& material,
+                 const Visibility& visible = {}) {
+  const auto coefficients = material.with_cosine<N>(glm::dot(receiver.normal, receiver.outgoing));
+  return gather<N, NE, method>(cache, receiver, coefficients, visible);
 }
 
 /// The same of an anisotropic material, in the frame of the receiver's tangent.

@@ -64,17 +64,17 @@ ZONAL_INLINE inline void hvl_zonal_radiance(const LightRecord<T>& light, const B
 }
 
 /// Outgoing radiance, RGB, at the receiver from all lights of the cache: one bounce, N bands of the receiver's
-/// material, of which those beyond its table's are zero.
+/// material, of which those beyond its table's are zero. `tint` multiplies its diffuse part, as a texture does.
 template <int N>
 glm::vec3 gather_hvl_zonal(const LightCache& cache, const Receiver& receiver, const ZonalTable& material,
-                           const Visibility& visible = {}) {
+                           const Visibility& visible = {}, const glm::vec3& tint = glm::vec3(1.0F)) {
   using Lanes = PacketArray<LightRecord>::Lanes;
   const float cos_outgoing = glm::dot(receiver.normal, receiver.outgoing);
   const glm::vec3 mirror = 2.0F * cos_outgoing * receiver.normal - receiver.outgoing;
   const Zh<N, glm::vec3> lobe = material.glossy<N>(cos_outgoing);
   ZonalReceiver<N, Lanes> local;
   local.is_diffuse = material.is_diffuse();
-  const glm::vec3 albedo = material.diffuse_albedo(cos_outgoing);
+  const glm::vec3 albedo = tint * material.diffuse_albedo(cos_outgoing);
   for (int c = 0; c < 3; ++c) {
     local.mirror[c] = Lanes(mirror[c]);
     local.diffuse[c] = Lanes(albedo[c]);

@@ -4,7 +4,7 @@
 
 #include <glm/glm.hpp>
 
-namespace example::hvl_render {
+namespace example {
 
 /// A well-mixed 64-bit hash (the finaliser of SplitMix64).
 inline std::uint64_t hash64(std::uint64_t value) {
@@ -78,4 +78,4 @@ class SpreadPoints {
   std::uint32_t offset_;
 };
 
-}  // namespace example::hvl_render
+}  // namespace example

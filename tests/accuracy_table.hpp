@@ -97,7 +97,8 @@ inline constexpr Accuracy kKernelAccuracy[] = {
     in_any_scalar("dot_even", 3, kUlpOfTypical),
     in_any_scalar("dot_zonal", 2, kUlpOfTypical),
     in_any_scalar("rotate_about_z", 3),
-    in_any_scalar("prepare_rotation", 20, kUlpOfTypical),
+    // 10.5 is the worst seen of millions, in packets of float; 9 in built-in numbers.
+    in_any_scalar("prepare_rotation", 12, kUlpOfTypical),
     in_any_scalar("rotate", 6),
     in_any_scalar("product", 3),
     in_any_scalar("product_with_zonal", 3),

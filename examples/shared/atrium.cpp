@@ -203,9 +203,11 @@ class Palette {
       : scene_(scene),
         is_diffuse_(finish == AtriumFinish::diffuse || finish == AtriumFinish::bumped),
         is_glossy_(finish == AtriumFinish::glossy || finish == AtriumFinish::bumped_glossy),
-        is_bumped_(finish == AtriumFinish::bumped || finish == AtriumFinish::bumped_glossy) {}
+        is_open_(finish == AtriumFinish::courtyard),
+        is_bumped_(finish == AtriumFinish::bumped || finish == AtriumFinish::bumped_glossy || is_open_) {}
 
   bool is_bumped() const { return is_bumped_; }
+  bool is_open() const { return is_open_; }
 
   /// In the glossy atrium a lacquer, which mirrors a quarter of the light in the surface's own colour.
   std::uint32_t matte(const char* name, const glm::vec3& albedo) {
@@ -240,7 +242,7 @@ class Palette {
   }
 
   Scene& scene_;
-  bool is_diffuse_, is_glossy_, is_bumped_;
+  bool is_diffuse_, is_glossy_, is_open_, is_bumped_;
 };
 
 /// Rough plaster and hewn tiles: octaves of noise, that repeat every metre and a half. Their slopes are 25 degrees and
@@ -265,7 +267,7 @@ void add_hall(MeshBuilder& builder, Palette& palette, const Relief& rough) {
   const std::uint32_t dark_tile = palette.bumped(palette.coated("dark tile", {0.44f, 0.33f, 0.25f}, 0.30f), rough);
   add_floor(builder, light_tile, dark_tile);
   builder.begin_mesh().use(plaster);
-  add_ceiling(builder);
+  if (!palette.is_open()) add_ceiling(builder);
   builder.begin_mesh().quad({-half_width, 0.0f, front}, {half_width, 0.0f, front}, {half_width, ceiling, front},
                             {-half_width, ceiling, front});
   builder.begin_mesh()

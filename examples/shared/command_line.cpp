@@ -126,10 +126,10 @@ void add_run_options(CLI::App& app, CommonOptions& options) {
 }
 
 void add_scene_options(CLI::App& app, CommonOptions& options) {
-  app.add_option(
-         "--scene", options.scene,
-         "The built-in hall, all matte, glossy all over, or with rough floor and walls; the inside of a white sphere; "
-         "or a Wavefront OBJ file with its MTL and pictures: map_Kd, norm, map_Bump")
+  app.add_option("--scene", options.scene,
+                 "The built-in hall, all matte, glossy all over, with rough floor and walls, or open above; the inside "
+                 "of a white sphere; "
+                 "or a Wavefront OBJ file with its MTL and pictures: map_Kd, norm, map_Bump")
       ->type_name(scene_names())
       ->check(not_empty())
       ->capture_default_str()

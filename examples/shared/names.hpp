@@ -27,7 +27,8 @@ inline const Names<AtriumFinish> atrium_names{{"atrium", AtriumFinish::mixed},
                                               {"atrium-diffuse", AtriumFinish::diffuse},
                                               {"atrium-glossy", AtriumFinish::glossy},
                                               {"atrium-bumped", AtriumFinish::bumped},
-                                              {"atrium-bumped-glossy", AtriumFinish::bumped_glossy}};
+                                              {"atrium-bumped-glossy", AtriumFinish::bumped_glossy},
+                                              {"courtyard", AtriumFinish::courtyard}};
 inline const Names<UpAxis> up_names{{"y", UpAxis::y}, {"z", UpAxis::z}};
 inline const Names<ViewPlace> place_names{
     {"auto", ViewPlace::automatic}, {"inside", ViewPlace::inside}, {"outside", ViewPlace::outside}};

@@ -59,9 +59,10 @@ struct Scene {
 
 Bounds bounds_of(const Mesh& mesh);
 
-/// The built-in hall of columns: of matte and glossy materials, of matte ones alone, or glossy all over; and the last
-/// two with rough floor, walls and stones, whose normals change from pixel to pixel.
-enum class AtriumFinish { mixed, diffuse, glossy, bumped, bumped_glossy };
+/// The built-in hall of columns: of matte and glossy materials, of matte ones alone, or glossy all over; the last two
+/// also with rough floor, walls and stones, whose normals change from pixel to pixel. The courtyard is rough, of matte
+/// and glossy materials, and open above, for a light probe to shine in.
+enum class AtriumFinish { mixed, diffuse, glossy, bumped, bumped_glossy, courtyard };
 Scene make_atrium(AtriumFinish finish = AtriumFinish::mixed);
 
 /// A white sphere about its light, seen from inside. All that it reflects once is the same at all its points.

@@ -160,7 +160,7 @@ TEST_CASE("six floats give back their moments, read either way") {
   for (const glm::vec3& coefficient : sharp.as_gaussian<3>()) REQUIRE(std::isfinite(coefficient.x));
 }
 
-TEST_CASE("a table's reflection of coefficients is that of Lambert and of Phong in closed form") {
+TEST_CASE("a table's reflection of coefficients is Lambert's in closed form") {
   Random random(3);
   const zonal::MaterialTable white(zonal::project_material({{zonal::LambertBrdf{glm::vec3(1)}}}, 5));
   for (int round = 0; round < 50; ++round) {
@@ -174,6 +174,37 @@ TEST_CASE("a table's reflection of coefficients is that of Lambert and of Phong 
     const glm::vec3 given = zonal::reflected_radiance(radiance, white, normal, outgoing);
     CAPTURE(round);
     REQUIRE(glm::distance(given, expected) <= 2e-4F * glm::length(expected));  // the table's tolerance
+  }
+}
+
+TEST_CASE("Phong's lobe stands about the mirror direction") {
+  Random random(5);
+  constexpr float exponent = 12.5F;
+  for (int round = 0; round < 5; ++round) {
+    zonal::Sh<4, glm::vec3> radiance;
+    for (glm::vec3& coefficient : radiance) coefficient = random.vector(1);
+    const glm::vec3 normal = random.direction(), outgoing = random.direction();
+    // The mirror direction is as far from the normal, on the other side of it in one plane.
+    const glm::vec3 mirror = zonal::mirror_direction(normal, outgoing);
+    REQUIRE(std::abs(glm::dot(mirror, normal) - glm::dot(outgoing, normal)) < 1e-6F);
+    REQUIRE(glm::length(mirror + outgoing - 2 * glm::dot(outgoing, normal) * normal) < 1e-6F);
+    const glm::vec3 given =
+        zonal::reconstruct_convolved(radiance, zonal::project<4>(zonal::PhongLobe<float>{exponent}), mirror);
+    glm::dvec3 expected(0);
+    constexpr int rings = 400, spokes = 200;
+    for (int i = 0; i < rings; ++i) {
+      const double z = -1 + 2 * (i + 0.5) / rings, r = std::sqrt(1 - z * z);
+      for (int j = 0; j < spokes; ++j) {
+        const double phi = 2 * double(zonal::kPi) * (j + 0.5) / spokes;
+        const glm::dvec3 w(r * std::cos(phi), r * std::sin(phi), z);
+        const double cosine = std::max(glm::dot(w, glm::dvec3(mirror)), 0.0);
+        expected += glm::dvec3(zonal::reconstruct(radiance, glm::vec3(w))) * std::pow(cosine, double(exponent));
+      }
+    }
+    // (n + 1) / 2 pi of 4 pi / count.
+    expected *= 2 * (double(exponent) + 1) / (rings * spokes);
+    CAPTURE(round);
+    REQUIRE(glm::distance(glm::dvec3(given), expected) <= 1e-3);
   }
 }
 

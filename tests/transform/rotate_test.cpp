@@ -1,5 +1,6 @@
 // Rotations: by their definition on harmonics, by another recurrence, as a group; with the angles that are hard.
 #include <zonal/environment/rgb.hpp>
+#include <zonal/transform/dense_rotation.hpp>
 #include <zonal/transform/orient.hpp>
 #include <zonal/transform/rotate.hpp>
 
@@ -316,4 +317,41 @@ TEST_CASE("What is no number, or nothing, gives no numbers") {
     CHECK(std::isnan(rotated[1] + rotated[2] + rotated[3]));
     CHECK(std::isnan(rotated[4] + rotated[5] + rotated[6] + rotated[7] + rotated[8]));
   }
+}
+
+namespace {
+
+template <int N, class T>
+void check_dense(unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  const auto draw = [&] { return T(normal(random)); };
+  auto rotation = Rotation<N, T>::from_quaternion(draw(), draw(), draw(), draw());
+  if (seed % 2 == 1) {  // and a reflection
+    using Axis = std::array<T, 3>;
+    rotation = rotation * Rotation<N, T>::from_axes(Axis{-1, 0, 0}, Axis{0, 1, 0}, Axis{0, 0, 1});
+  }
+  const zonal::DenseRotation<N, T> dense(rotation);
+  for (int round = 0; round < 20; ++round) {
+    Sh<N, T> f;
+    T norm = 0;
+    for (T& value : f) value = draw(), norm += value * value;
+    const Sh<N, T> expected = zonal::rotate(f, rotation), given = dense(f);
+    const T bound = T(4 * N) * std::numeric_limits<T>::epsilon() * std::sqrt(norm);
+    for (int i = 0; i < N * N; ++i) {
+      CAPTURE(N, sizeof(T), seed, round, i, given[i], expected[i]);
+      REQUIRE(std::abs(given[i] - expected[i]) <= bound);
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a rotation as a matrix is the rotation") {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    check_dense<2, float>(seed), check_dense<3, float>(seed), check_dense<5, float>(seed), check_dense<10, float>(seed);
+    check_dense<2, double>(seed), check_dense<4, double>(seed), check_dense<9, double>(seed);
+  }
+  const zonal::DenseRotation<1, float> nothing(Rotation<2, float>::from_quaternion(1, 2, 3, 4));
+  REQUIRE(nothing(Sh<1, float>{{3}})[0] == 3);
 }

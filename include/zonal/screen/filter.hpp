@@ -19,7 +19,6 @@
 #pragma once
 
 #include <algorithm>
-#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -103,8 +102,9 @@ struct FilterRow {
       if (other == 0) continue;
       float* const weights = weight.data() + block * filter_block;
       for (int i = 0; i < filter_block; ++i) {
-        const auto count = float(std::bitset<32>(words[i]).count());
-        weights[i] = count > 0 ? 1.0F / count : 0.0F;
+        int count = 0;
+        for (std::uint32_t bits = words[i]; bits != 0; bits &= bits - 1) ++count;
+        weights[i] = count > 0 ? 1.0F / float(count) : 0.0F;
       }
     }
   }

@@ -47,7 +47,7 @@ glm::vec3 reflected_radiance(const Sh<N, glm::vec3>& in_frame, const EvenSh<N, g
   for (int l = 0; l < N; ++l) {
     for (int m = 0; m <= l; ++m) sum += in_frame(l, m) * material(l, m);
   }
-  return glm::max(sum, glm::vec3(0));
+  return (glm::max)(sum, glm::vec3(0));
 }
 
 /// The same of radiance in the world's axes and a material's table.

@@ -55,7 +55,8 @@ struct TurnAboutZ {
       if constexpr (m == 1) {
         cosine[1] = cos_angle, sine[1] = sin_angle;
       } else {
-        constexpr int half = m / 2, rest = m - half;  // a shorter chain than one by one
+        // A shorter chain than one by one. The errors grow as m; by Chebyshev's recurrence, as m^2.
+        constexpr int half = m / 2, rest = m - half;
         cosine[m] = cosine[half] * cosine[rest] - sine[half] * sine[rest];
         sine[m] = sine[half] * cosine[rest] + cosine[half] * sine[rest];
       }
@@ -129,15 +130,17 @@ class Rotation {
   ZONAL_INLINE static constexpr Rotation from_axes(const V& x_axis, const V& y_axis, const V& z_axis) {
     const auto x = detail::as_direction<T>(x_axis), y = detail::as_direction<T>(y_axis),
                z = detail::as_direction<T>(z_axis);
-    const T volume = (x.y * y.z - x.z * y.y) * z.x + (x.z * y.x - x.x * y.z) * z.y + (x.x * y.y - x.y * y.x) * z.z;
-    const T parity = select(volume < T(0), T(-1), T(1)) + T(0) * volume;  // no number of what is none
     const T across2 = x.z * x.z + y.z * y.z;
-    const T across = detail::inverse_length(across2), scale = parity * detail::inverse_length(across2 + z.z * z.z);
+    const T for_cos = x.y * y.z - x.z * y.y, for_sin = x.z * y.x - x.x * y.z;
+    const T volume = for_cos * z.x + for_sin * z.y + (x.x * y.y - x.y * y.x) * z.z;
+    const T parity = select(volume < T(0), T(-1), T(1)) + T(0) * volume;  // no number of what is none
+    const T across = detail::inverse_length(across2), scale = parity / sqrt(across2 + z.z * z.z);
     const auto is_tilted = T(0) < across;
-    const T cc = select(is_tilted, -(parity * across * x.z), T(1)), sc = select(is_tilted, parity * across * y.z, T(0));
-    const T ca = scale * (cc * y.y + sc * x.y), sa = -(scale * (cc * y.x + sc * x.x));
-    const T to_unit = T(1) / sqrt(ca * ca + sa * sa);
-    return Rotation(Pair{to_unit * ca, to_unit * sa}, Pair{scale * z.z, scale * (sc * y.z - cc * x.z)}, Pair{cc, sc},
+    const T cc = select(is_tilted, -(across * x.z), T(1)), sc = select(is_tilted, across * y.z, T(0));
+    const T ca = scale * select(is_tilted, across * for_cos, y.y);
+    const T sa = scale * select(is_tilted, across * for_sin, -y.x);
+    const T to_unit = T(1.5) - T(0.5) * (ca * ca + sa * sa);  // the inverse length of what is next to it, by Newton
+    return Rotation(Pair{to_unit * ca, to_unit * sa}, Pair{scale * z.z, scale * (across * across2)}, Pair{cc, sc},
                     parity);
   }
 
@@ -273,17 +276,15 @@ ZONAL_DEVICE constexpr Sh<N, C> rotate(const Sh<N, C>& f, const Rotation<M, T>& 
     return r;
   }
   r.values[0] = f.values[0];
-  unroll<1, N>([&](auto l) ZONAL_INLINE {
-    rotation.template rotate_degree<l>(f.values + l * l, r.values + l * l);
-    if constexpr (l % 2 == 1) {
-      if constexpr (is_builtin_scalar_v<T>) {
-        if (rotation.parity() > T(0)) return;
-      }
-      for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
-        r.values[i] = detail::times(detail::number_t<C>(rotation.parity()), r.values[i]);
-      }
+  unroll<1, N>([&](auto l) ZONAL_INLINE { rotation.template rotate_degree<l>(f.values + l * l, r.values + l * l); });
+  if constexpr (is_builtin_scalar_v<T>) {
+    if (rotation.parity() > T(0)) return r;  // one branch for all degrees: compilers then schedule them together
+  }
+  for (int l = 1; l < N; l += 2) {
+    for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
+      r.values[i] = detail::times(detail::number_t<C>(rotation.parity()), r.values[i]);
     }
-  });
+  }
   return r;
 }
 

@@ -42,6 +42,7 @@ int run(int argc, char** argv) {
   register_grid(effort);
   register_batch(effort);
   register_environment(effort);
+  register_screen(effort);
   register_registry(effort);
   benchmark::Initialize(&count, arguments.data());
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;

@@ -46,6 +46,8 @@ class TableReporter : public benchmark::BenchmarkReporter {
     out << "\n";
     print_environments(out, results_);
     out << "\n";
+    print_screen(out, results_);
+    out << "\n";
     print_registry(out, results_);
     out.flush();
   }

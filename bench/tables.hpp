@@ -21,6 +21,9 @@ void print_batches(std::ostream& out, const Results& results);
 /// Pictures of all directions beside the sum of their texels: no paper's.
 void print_environments(std::ostream& out, const Results& results);
 
+/// The screen's filter beside copies of what it filters: no paper's.
+void print_screen(std::ostream& out, const Results& results);
+
 /// All kernels of the registry, those of the papers' tables among them.
 void print_registry(std::ostream& out, const Results& results);
 

@@ -128,8 +128,8 @@ TEST_CASE("fit: a function of N bands is found again, from as many samples as un
     CHECK(found.rank == N * N);
     CHECK(found.used == std::size_t(count));
     CHECK(found.left_out == 0);
-    // Relative to the function: 1.7e-15 times the condition is the worst of 600 draws, by SSE2, AVX2 and AVX-512.
-    CHECK(distance(found.sh, sh) <= 2e-15 * found.condition * distance(sh, Sh{}));
+    // Relative to the function: 2.3e-15 times the condition is the worst of 600 draws by SSE2, AVX2 and AVX-512 each.
+    CHECK(distance(found.sh, sh) <= 3e-15 * found.condition * distance(sh, Sh{}));
     CHECK(found.residuals[0] <= 1e-14);
   }
 }

@@ -294,9 +294,9 @@ class FilterBand {
 /// as many planes, the pattern is no larger: throws std::invalid_argument else (refuse.hpp). for_each:
 /// scalar/for_each.hpp.
 ///
-/// Where n x m pixels of one surface hold a value each, the result is their mean within 4 n 2^-24 of the largest, with
-/// halves 2^-11 more. Memory beside the pictures: some rows a thread; in place also 2 (m - 1) rows of all planes for
-/// every 64.
+/// Where n x m pixels of one surface hold a value each, the result is their mean within (n + m) 2^-24 of the largest,
+/// with halves 2^-11 more. Memory beside the pictures: some rows a thread; in place also 2 (m - 1) rows of all planes
+/// for every 64.
 template <class Element, class ForEach = SerialForEach>
 void filter(const PlanePicture<Element>& in, PlanePicture<Element>& out, const SurfacePicture& surfaces,
             InterleavedPattern pattern, const SurfaceTests& tests = {}, ForEach&& for_each = {}) {

@@ -1,4 +1,5 @@
 """The figures of docs/report, each from its CSV file alone."""
+import math
 import pathlib
 
 import matplotlib
@@ -33,7 +34,10 @@ def legend_below(figure, handles, columns):
 
 
 def save(figure, folder, name):
-    """Equal data give equal files."""
+    """Equal data give equal files. An error where a panel has nothing in it."""
+    for axis in figure.axes:
+        if axis.get_visible() and not all(map(math.isfinite, axis.dataLim.extents)):
+            raise ValueError(f"{name}: no rows to draw in the panel \"{axis.get_title() or axis.get_ylabel()}\"")
     figure.savefig(pathlib.Path(folder) / f"{name}.svg", bbox_inches="tight",
                    metadata={"Date": None})
     plt.close(figure)

@@ -8,6 +8,7 @@ import sys
 import report_plots
 from report_data import LOOKUPS, METHOD, distinct, frame_ms, interpolated, one, read, where
 from report_gather_text import gather
+from report_screen_text import screen
 from report_text import figure, listed, table
 
 
@@ -215,7 +216,7 @@ def furnace(folder):
 
 
 PARTS = {"gather": gather, "evaluation": evaluation, "interpolation": interpolation, "triangles": triangles,
-         "materials": materials, "furnace": furnace}
+         "materials": materials, "furnace": furnace, "screen": screen}
 
 
 def main(command, folder):

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # Writes docs/report: data as CSV, plots, and a page that shows them. Installs and builds what it needs.
 #   report.sh [--full] [PART...]
-# PART: gather, evaluation, interpolation, triangles, materials, furnace; all of them where none is named. Under five
+# PART: gather, evaluation, interpolation, triangles, materials, furnace, screen; all of them where none is named. Under five
 # minutes on two cores with nothing else to do; --full takes hours. Files of measured materials in $ZONAL_DATA/merl and
 # $ZONAL_DATA/rgl are part of it. To draw all anew from the CSV files: report.py plot docs/report.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-all_parts=(evaluation interpolation triangles materials furnace gather)
+all_parts=(evaluation interpolation triangles materials furnace gather screen)
 full=() parts=()
 for argument in "$@"; do
   if [ "$argument" = --full ]; then
@@ -21,8 +21,8 @@ done
 [ ${#parts[@]} -gt 0 ] || parts=("${all_parts[@]}")
 
 zonal_setup ZONAL_REQUIRE_TESTS "${zonal_test_packages[@]}" python3 python3-matplotlib
-zonal_say "building zonal-report-data and hvl-render ($zonal_jobs at a time)"
-cmake --build "$zonal_build" --target zonal-report-data hvl-render -j "$zonal_jobs"
+zonal_say "building zonal-report-data, hvl-render and igi-render ($zonal_jobs at a time)"
+cmake --build "$zonal_build" --target zonal-report-data hvl-render igi-render -j "$zonal_jobs"
 
 python=/usr/bin/python3  # the one that python3-matplotlib is for
 data="$zonal_build/bench/report/zonal-report-data" folder="$zonal_root/docs/report"
@@ -53,6 +53,8 @@ for part in "${parts[@]}"; do
   case "$part" in
     gather) "$python" "$zonal_root/scripts/report_gather.py" "$zonal_build/examples/hvl-render/hvl-render" "$data" \
       "$folder" "${full[@]}" ;;
+    screen) "$python" "$zonal_root/scripts/report_screen.py" "$zonal_build/examples/igi-render/igi-render" "$folder" \
+      "${full[@]}" ;;
     *) run "$part" "$data" "$part" "${full[@]}" ;;
   esac
   run "$part.machine" describe "$load"

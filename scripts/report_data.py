@@ -68,6 +68,16 @@ def gather_ms(row):
     return 1e3 * (row["lights_s"] + row["gather_s"])
 
 
+def screen_ms(row):
+    """What a filter's picture takes once there are lights: to sum them, to filter and to shade."""
+    return 1e3 * (row["light_s"] + row["filter_s"] + row["shading_s"])
+
+
+def log_slope(points):
+    """b of y ~ a x^b."""
+    return line_fit([(math.log(x), math.log(y)) for x, y in points])[1]
+
+
 LOOKUPS = 640 * 512  # of a picture, where the time of a grid and its lookups is one number
 
 

@@ -1,11 +1,12 @@
 """The figures of docs/report, each from its CSV file alone."""
+import math
 import pathlib
 
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-from report_data import (METHOD, VARIANT, distinct, frame_ms, gather_ms, one, pareto, read, where)
+from report_data import (METHOD, VARIANT, distinct, frame_ms, gather_ms, log_slope, one, pareto, read, screen_ms, where)
 
 # Okabe and Ito's colours, which the colour-blind tell apart.
 BLACK, ORANGE, SKY, GREEN, BLUE, RED, PURPLE = ("#000000", "#E69F00", "#56B4E9", "#009E73", "#0072B2", "#D55E00",
@@ -33,7 +34,10 @@ def legend_below(figure, handles, columns):
 
 
 def save(figure, folder, name):
-    """Equal data give equal files."""
+    """Equal data give equal files. An error where a panel has nothing in it."""
+    for axis in figure.axes:
+        if axis.get_visible() and not all(map(math.isfinite, axis.dataLim.extents)):
+            raise ValueError(f"{name}: no rows to draw in the panel \"{axis.get_title() or axis.get_ylabel()}\"")
     figure.savefig(pathlib.Path(folder) / f"{name}.svg", bbox_inches="tight",
                    metadata={"Date": None})
     plt.close(figure)
@@ -249,6 +253,66 @@ def furnace(folder):
     save(figure, folder, "furnace")
 
 
+FILTER_STYLE = {"radiance": (BLUE, "^"), "irradiance": (RED, "o"), "irradiance-strict": (ORANGE, "s"),
+                "sg": (GREEN, "v"), "l1": (PURPLE, "D"), "none": (BLACK, "x")}
+SCREEN_SCENE = {"diffuse": "matte, panel", "bumped": "bumped, three points", "bumped-area": "bumped, panel",
+                "bumped-glossy": "bumped glossy, panel", "probe": "courtyard, light probe"}
+
+
+def screen_panel(axis, rows):
+    filtered = [row for row in rows if row["filter"] in FILTER_STYLE]
+    for row in filtered:
+        colour, marker = FILTER_STYLE[row["filter"]]
+        axis.plot(screen_ms(row), row["rmse"], marker, color=colour)
+    draw_front(axis, filtered, screen_ms, lambda row: row["rmse"])
+    for row in where(rows, filter="bands alone"):
+        axis.axhline(row["rmse"], color=SKY, linestyle=":")
+    axis.set(xscale="log", yscale="log")
+
+
+def screen(folder):
+    rows = where(read(folder, "screen"), part="sweep")
+    if not rows:
+        return
+    scenes, patterns = distinct(rows, "scene"), distinct(rows, "pattern")
+    figure, axes = panels(len(patterns), len(scenes), width=11.0, height=2.6, sharex="row", sharey=True)
+    for line, pattern in zip(axes, patterns):
+        for axis, scene in zip(line, scenes):
+            screen_panel(axis, where(rows, scene=scene, pattern=pattern))
+            axis.set_title(f"{SCREEN_SCENE[scene]}, {pattern}", size=8)
+            axis.set_xlabel("light, filter and shading, ms")
+        line[0].set_ylabel("RMSE of the picture")
+    for axis in axes.flat:
+        plain_ticks(axis.xaxis)
+    plain_ticks(axes[0][0].yaxis)
+    handles = [key(name, color=colour, marker=marker, linestyle="")
+               for name, (colour, marker) in FILTER_STYLE.items()]
+    legend_below(figure, handles + [FRONT_KEY, key("bands alone, nothing filtered", color=SKY, linestyle=":")], 8)
+    save(figure, folder, "screen")
+
+
+def sets_line(rows, name):
+    return [(row["sets"], row["rmse"]) for row in where(rows, filter=name)]
+
+
+def screen_sets(folder):
+    rows = where(read(folder, "screen"), part="sets")
+    if not rows:
+        return
+    figure, axes = panels(1, 1, width=5.5, height=3.2)
+    axis = axes[0][0]
+    for name in distinct(rows, "filter"):
+        line, (colour, marker) = sets_line(rows, name), FILTER_STYLE[name]
+        axis.plot(*zip(*line), color=colour, marker=marker, label=f"{name}, slope {log_slope(line):.2f}")
+    axis.set(xscale="log", yscale="log", xlabel="sets of lights", ylabel="RMSE of the picture",
+             xticks=distinct(rows, "sets"))
+    axis.xaxis.set_major_formatter(matplotlib.ticker.FormatStrFormatter("%g"))
+    axis.xaxis.set_minor_locator(matplotlib.ticker.NullLocator())
+    plain_ticks(axis.yaxis)
+    axis.legend()
+    save(figure, folder, "screen_sets")
+
+
 def overview(folder):
     """The README's: one panel each of the basis, virtual lights and grids, beside the rivals."""
     basis, interpolation_rows = read(folder, "evaluation"), read(folder, "interpolation")
@@ -289,4 +353,4 @@ def overview(folder):
     save(figure, folder, "overview")
 
 
-ALL = [gather, evaluation, interpolation, triangles, materials, furnace, overview]
+ALL = [gather, evaluation, interpolation, triangles, materials, furnace, screen, screen_sets, overview]

@@ -291,6 +291,10 @@ def screen(folder):
     save(figure, folder, "screen")
 
 
+SETS_STYLE = {**FILTER_STYLE, "reference": (BLACK, ".")}
+SETS_NAME = {"reference": "all sets at every pixel"}
+
+
 def sets_line(rows, name):
     return [(row["sets"], row["rmse"]) for row in where(rows, filter=name)]
 
@@ -302,14 +306,15 @@ def screen_sets(folder):
     figure, axes = panels(1, 1, width=5.5, height=3.2)
     axis = axes[0][0]
     for name in distinct(rows, "filter"):
-        line, (colour, marker) = sets_line(rows, name), FILTER_STYLE[name]
-        axis.plot(*zip(*line), color=colour, marker=marker, label=f"{name}, slope {log_slope(line):.2f}")
+        line, (colour, marker) = sets_line(rows, name), SETS_STYLE[name]
+        label = f"{SETS_NAME.get(name, name)}, slope {log_slope(line):.2f}"
+        axis.plot(*zip(*line), color=colour, marker=marker, label=label)
     axis.set(xscale="log", yscale="log", xlabel="sets of lights", ylabel="RMSE of the picture",
              xticks=distinct(rows, "sets"))
     axis.xaxis.set_major_formatter(matplotlib.ticker.FormatStrFormatter("%g"))
     axis.xaxis.set_minor_locator(matplotlib.ticker.NullLocator())
     plain_ticks(axis.yaxis)
-    axis.legend()
+    axis.legend(loc="upper left", bbox_to_anchor=(1, 1))
     save(figure, folder, "screen_sets")
 
 

@@ -20,10 +20,11 @@ FIELDS = ["part", "scene", "width", "height", "pattern", "sets", "samples", "see
 # `samples`: of each set. `sets_size` and what follows: of the error against the number of sets, by pictures of `seeds`
 # seeds, beside one of `reference_pattern`.
 SHORT = {"size": (640, 512), "patterns": ["4x4", "8x8"], "samples": 8, "sets_size": (320, 256), "sets_samples": 4,
-         "seeds": 3, "reference_pattern": "16x16", "sides": (1, 2, 4, 8), "averaged": ("radiance", "irradiance", "l1", "sg")}
+         "seeds": 3, "reference_pattern": "16x16", "sides": (1, 2, 4, 8)}
 FULL = {**SHORT, "samples": 16, "seeds": 8}
 QUICK = {"size": (40, 32), "patterns": ["4x4"], "samples": 1, "sets_size": (40, 32), "sets_samples": 2, "seeds": 1,
-         "reference_pattern": "8x8", "sides": (2, 4), "averaged": ("radiance", "irradiance")}  # shows that all is there
+         "reference_pattern": "8x8", "sides": (2, 4)}  # shows that all is there
+AVERAGED = ("reference", "radiance", "irradiance", "l1", "sg")  # of a comparison, against the number of sets
 
 # Suns of the sky: direction (z up), cosine of the radius, radiance.
 SUNS = [((0.5, -0.3, 0.75), 0.985, (60, 50, 36)), ((-0.7, 0.2, 0.5), 0.96, (6, 8, 14)),
@@ -83,11 +84,6 @@ class Renderer:
         """The folder of a comparison's pictures."""
         return self.scratch / f"{scene}_{pattern}"
 
-    def picture(self, scene, size, pattern, samples, seed, filter_name):
-        out = self.scratch / "one.png"
-        self.run(scene, size, pattern, samples, "--filter", filter_name, "--seed", seed, "--out", out)
-        return read(out)
-
 
 def row(part, scene, size, pattern, samples, name, **numbers):
     columns, rows = map(int, pattern.split("x"))
@@ -111,25 +107,36 @@ def sweep(renderer, plan):
             yield row(**same, name="bands alone", rmse=lost["rmse"], linear_rmse=lost["linear_rmse_relative_to_mean"])
 
 
+def mean_square(picture, other):
+    return ((picture - other) ** 2).mean()
+
+
 def by_sets(renderer, plan, scene="bumped-area"):
-    """Error of the display values against the number of sets, each of as many samples, beside many more sets."""
-    size, samples = plan["sets_size"], plan["sets_samples"]
-    folder = renderer.compared(scene, "reference")
-    renderer.run(scene, size, plan["reference_pattern"], samples, "--compare", folder, "--seed", 1000)
-    exact = read(folder / "reference.png")
+    """Error of the display values against the number of sets, each of as many samples, beside many more sets. Of those
+    two seeds, whose difference is the error of either, times the root of 2."""
+    size, samples, most = plan["sets_size"], plan["sets_samples"], plan["reference_pattern"]
+    folder = renderer.scratch / "sets"
+
+    def pictures(pattern, seed):
+        renderer.run(scene, size, pattern, samples, "--compare", folder, "--seed", seed)
+        return {name: read(folder / f"{name}.png") for name in AVERAGED}
+
+    exact, again = (pictures(most, seed)["reference"] for seed in (1000, 2000))
+    yield row("sets_reference", scene, size, most, samples, "reference", rmse=math.sqrt(mean_square(exact, again) / 2))
     for side in plan["sides"]:
-        for name in plan["averaged"]:
-            pictures = [renderer.picture(scene, size, f"{side}x{side}", samples, seed, name)
-                        for seed in range(1, plan["seeds"] + 1)]
-            square = sum(((picture - exact) ** 2).mean() for picture in pictures) / len(pictures)
-            yield row("sets", scene, size, f"{side}x{side}", samples, name, seeds=plan["seeds"], rmse=math.sqrt(square))
+        pattern, seeds = f"{side}x{side}", plan["seeds"]
+        squares = [{name: mean_square(picture, exact) for name, picture in pictures(pattern, seed).items()}
+                   for seed in range(1, seeds + 1)]
+        for name in AVERAGED:
+            rmse = math.sqrt(sum(square[name] for square in squares) / seeds)
+            yield row("sets", scene, size, pattern, samples, name, seeds=seeds, rmse=rmse)
 
 
 # ---- Pictures: rows of them, each one file -----------------------------------------------------------------------------
 
 # Corner and size of a close-up, of the picture's width and height; where the filters differ.
 CLOSE_UP = {"diffuse": (0.22, 0.5), "bumped": (0.04, 0.46), "bumped-glossy": (0.58, 0.58), "probe": (0.72, 0.38)}
-CLOSE_UP_SIZE = 0.25
+CLOSE_UP_SIZE = 0.2
 
 
 def part_of(picture, corner, share=CLOSE_UP_SIZE):
@@ -159,8 +166,7 @@ class Pictures:
         return Image.open(self.renderer.compared(scene, pattern) / f"{name}.png").convert("RGB")
 
     def save(self, name, picture):
-        """256 colours: a row stays small."""
-        picture.quantize(256).save(self.folder / f"{name}.png", optimize=True)
+        picture.save(self.folder / f"{name}.png", optimize=True)
 
     def with_close_ups(self, scene, shown, below, width):
         """A picture, and below it close-ups that together are as wide."""
@@ -175,13 +181,13 @@ class Pictures:
         columns = []
         for scene in scenes:
             both = [self.open(scene, pattern, name) for name in ("radiance", "irradiance")]
-            columns.append(self.with_close_ups(scene, both[0], both, 324))
+            columns.append(self.with_close_ups(scene, both[0], both, 260))
         self.save("screen_1", joined(columns))
 
     def figure_2(self, pattern, scene="probe"):
         shown = [self.open(scene, pattern, name)
                  for name in ("reference", "radiance", "irradiance", "irradiance-strict")]
-        self.save("screen_2", joined([self.with_close_ups(scene, picture, [picture], 320) for picture in shown]))
+        self.save("screen_2", joined([self.with_close_ups(scene, picture, [picture], 256) for picture in shown]))
 
     def figure_4(self, plan, scene="bumped-area"):
         lines = []
@@ -190,7 +196,7 @@ class Pictures:
             for side in plan["sides"]:
                 out = self.renderer.scratch / "one.png"
                 self.renderer.run(scene, plan["size"], f"{side}x{side}", plan["samples"], "--filter", name, "--out", out)
-                line.append(part_of(Image.open(out).convert("RGB"), (0.0, 0.42), 0.5))
+                line.append(part_of(Image.open(out).convert("RGB"), (0.02, 0.4), 0.36))
             lines.append(joined(line))
         self.save("screen_4", joined(lines, across=False))
 

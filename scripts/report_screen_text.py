@@ -3,7 +3,7 @@
 Segovia and Wald, Screen Space Spherical Harmonics Filters for Instant Global Illumination.
 """
 from report_data import distinct, log_slope, one, read, screen_ms, where
-from report_plots import FILTER_STYLE, SCREEN_SCENE, sets_line
+from report_plots import FILTER_STYLE, SCREEN_SCENE, SETS_NAME, sets_line
 from report_text import figure, listed, table
 
 SIX_NUMBERS = ("irradiance", "irradiance-strict", "sg", "l1")  # of equal bytes
@@ -25,13 +25,11 @@ def error_table(rows):
 
 def ratio_text(rows):
     """Whether radiance has at most half of irradiance's error."""
-    held, missed = [], []
-    for name, here in cases(rows):
-        ratio = here["radiance"]["rmse"] / here["irradiance"]["rmse"]
-        (held if ratio <= 0.5 else missed).append(f"{ratio:.2f} ({name})")
-    return ("Radiance's error as a share of irradiance's: at most half in " +
-            (f"{len(held)} cases, {listed(held)}" if held else "no case") + "; more in " +
-            (f"{len(missed)}, {listed(missed)}." if missed else "none."))
+    shares = {name: here["radiance"]["rmse"] / here["irradiance"]["rmse"] for name, here in cases(rows)}
+    said = {half: listed([f"{share:.3f} ({name})" for name, share in shares.items() if (share <= 0.5) == half])
+            for half in (True, False)}
+    return (f"Radiance's error as a share of irradiance's: at most half: {said[True]}. More than half: {said[False]}. "
+            "The three points cast hard shadows, which every filter blurs.")
 
 
 def best_text(rows):
@@ -57,21 +55,23 @@ def strict_text(rows):
 
 def memory_text(rows):
     of = {row["filter"]: row["bytes"] for row in rows if row["bytes"] != ""}
-    return (f"Memory per position in floats: {of['radiance']:.0f} bytes of radiance in three bands, "
+    return (f"Memory per position, in floats and with the padding of rows: {of['radiance']:.0f} bytes of radiance in three bands, "
             f"{of['irradiance']:.0f} of what classical filtering keeps, reflected light of body and gloss; "
             f"{of['radiance'] / of['irradiance']:.1f} times as much. SG and L1 take {of['sg']:.0f}.")
 
 
-def sets_text(rows):
-    slopes = [f"{log_slope(sets_line(rows, name)):.2f} ({name})" for name in distinct(rows, "filter")]
-    ends = [f"{line[0][1]:.4f} to {line[-1][1]:.4f} ({name})" for name in distinct(rows, "filter")
-            for line in [sets_line(rows, name)]]
-    one_row = rows[0]
-    return (f"{SCREEN_SCENE[one_row['scene']]}, {one_row['width']:.0f} x {one_row['height']:.0f}, "
-            f"{one_row['samples']:.0f} samples in each set, over {one_row['seeds']:.0f} seeds, against a picture by all "
-            "of many more sets of another seed (8 bits a channel). Slope of the error in the number of sets, "
-            f"log-log: {listed(slopes)}; from the fewest sets to the most: {listed(ends)}. More sets bring a truer mean "
-            "and a wider filter, which blurs: the slope is of both, and of independent samples alone would be -0.5.")
+def sets_text(folder):
+    rows, (reference,) = (where(read(folder, "screen"), part=part) for part in ("sets", "sets_reference"))
+    lines = {SETS_NAME.get(name, name): sets_line(rows, name) for name in distinct(rows, "filter")}
+    slopes = [f"{log_slope(line):.2f} ({name})" for name, line in lines.items()]
+    ends = [f"{line[0][1]:.4f} to {line[-1][1]:.4f} ({name})" for name, line in lines.items()]
+    return (f"The scene is: {SCREEN_SCENE[reference['scene']]}, {reference['width']:.0f} x {reference['height']:.0f}; "
+            f"{reference['samples']:.0f} samples in each set, over {rows[0]['seeds']:.0f} seeds. It is compared with "
+            f"{reference['sets']:.0f} sets of another seed, all at every pixel, whose own RMSE is "
+            f"{reference['rmse']:.4f}; by PNG files. Slope of the error in the number of sets, log-log: "
+            f"{listed(slopes)}. From {lines[SETS_NAME['reference']][0][0]:.0f} set{'s' * (rows[0]['sets'] > 1)} to "
+            f"{rows[-1]['sets']:.0f} the error goes from {listed(ends)}. All sets at every pixel show what sampling "
+            "alone does; more sets also widen the filter, which blurs.")
 
 
 def picture(number, text):
@@ -87,9 +87,9 @@ def screen(folder):
         f"{sweep[0]['samples']:.0f} samples and paths in each set, one bounce) against all sets at every pixel, by the "
         "time to sum a pixel's lights, filter and shade. Every filter sees the same lights, so the error is what "
         "filtering and, of radiance, the bands (dotted: they alone) do. The probe is a sky that the script makes.",
-        best_text(sweep), ratio_text(sweep) + " The three points cast hard shadows, which every filter blurs.",
+        best_text(sweep), ratio_text(sweep),
         strict_text(sweep), memory_text(sweep), error_table(sweep),
-        figure("screen_sets", "error against the number of sets"), sets_text(sets),
+        figure("screen_sets", "error against the number of sets"), sets_text(folder),
         "### Segovia and Wald, Fig. 1, 2 and 4",
         picture(1, "four scenes, radiance and irradiance"),
         "Fig. 1, at 4x4: matte, bumped by three points, bumped glossy, and by a light probe. Above radiance filtered; "

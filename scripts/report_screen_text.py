@@ -60,6 +60,15 @@ def memory_text(rows):
             f"{of['radiance'] / of['irradiance']:.1f} times as much. SG and L1 take {of['sg']:.0f}.")
 
 
+def doubt_text(reference, rows):
+    """What the slopes are worth, by the reference's own error."""
+    least = min(row["rmse"] for row in rows)
+    if reference["rmse"] <= 0.3 * least:
+        return ""
+    return (f" **These slopes are not decided**: the least error here is {least:.4f}, and what it is compared with is "
+            "itself that uncertain; it differs from seed to seed by more than so many samples should.")
+
+
 def sets_text(folder):
     rows, (reference,) = (where(read(folder, "screen"), part=part) for part in ("sets", "sets_reference"))
     lines = {SETS_NAME.get(name, name): sets_line(rows, name) for name in distinct(rows, "filter")}
@@ -69,9 +78,9 @@ def sets_text(folder):
             f"{reference['samples']:.0f} samples in each set, over {rows[0]['seeds']:.0f} seeds. It is compared with "
             f"{reference['sets']:.0f} sets of another seed, all at every pixel, whose own RMSE is "
             f"{reference['rmse']:.4f}; by PNG files. Slope of the error in the number of sets, log-log: "
-            f"{listed(slopes)}. From {lines[SETS_NAME['reference']][0][0]:.0f} set{'s' * (rows[0]['sets'] > 1)} to "
-            f"{rows[-1]['sets']:.0f} the error goes from {listed(ends)}. All sets at every pixel show what sampling "
-            "alone does; more sets also widen the filter, which blurs.")
+            f"{listed(slopes)}. From {rows[0]['sets']:.0f} to {rows[-1]['sets']:.0f} sets the "
+            f"error goes from {listed(ends)}. All sets at every pixel show what sampling "
+            "alone does; more sets also widen the filter, which blurs." + doubt_text(reference, rows))
 
 
 def picture(number, text):

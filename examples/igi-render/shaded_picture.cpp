@@ -44,18 +44,18 @@ class ReflectedSum {
  public:
   ReflectedSum(const ScreenScene& screen, const Hit& hit)
       : material_(screen.materials[hit.material]),
-        frame_(hit.normal),
-        outgoing_(frame_.to_local(towards_camera(screen.scene, hit))) {
+        outgoing_(Frame(hit.normal).to_local(towards_camera(screen.scene, hit))) {
+    const Frame frame(hit.normal);
+    for (int i = 0; i < 3; ++i) axes_[i] = frame.to_world(glm::vec3(i == 0, i == 1, i == 2));
     for (auto& part : sums_) part[0] = part[1] = part[2] = Lanes(0);
   }
 
   void operator()(const zonal::Arrival<Lanes>& arrival) {
-    const glm::vec3 x = frame_.to_world({1, 0, 0}), y = frame_.to_world({0, 1, 0}), z = frame_.to_world({0, 0, 1});
     const auto along = [&](const glm::vec3& axis) {
       return arrival.direction[0] * Lanes(axis.x) + arrival.direction[1] * Lanes(axis.y) +
              arrival.direction[2] * Lanes(axis.z);
     };
-    const glm::vec<3, Lanes> incoming(along(x), along(y), along(z));
+    const glm::vec<3, Lanes> incoming(along(axes_[0]), along(axes_[1]), along(axes_[2]));
     const Lanes cosine = maximum(incoming.z, Lanes(0));
     const zonal::Brdf* const parts[] = {&material_.body, &material_.gloss};
     for (int part = 0; part < 2; ++part) {
@@ -71,13 +71,12 @@ class ReflectedSum {
   glm::vec3 total(int part) const { return {sums_[part][0].sum(), sums_[part][1].sum(), sums_[part][2].sum()}; }
 
   const ScreenMaterial& material_;
-  Frame frame_;
+  glm::vec3 axes_[3];  // of the normal's frame
   glm::vec3 outgoing_;
   Lanes sums_[2][3];
 };
 
-// ---- What is filtered: so many numbers a position, summed over lights, and how they are shaded
-// -----------------------
+// ---- What is filtered: numbers of a position, summed over lights, and how they are shaded ---------------------------
 
 template <int N>
 struct Coefficients {

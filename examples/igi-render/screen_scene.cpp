@@ -26,6 +26,8 @@ zonal::MaterialTable table_of(const zonal::Brdf& part) {
   return zonal::project_material(part, zonal::MaterialTable::max_bands, table_tolerance, for_each);
 }
 
+}  // namespace
+
 zonal::SurfacePicture make_surfaces(const PrimaryHits& hits, int width, int height, bool shading_normals) {
   zonal::SurfacePicture surfaces(width, height);
   tbb::parallel_for(0, height, [&](int y) {
@@ -40,8 +42,6 @@ zonal::SurfacePicture make_surfaces(const PrimaryHits& hits, int width, int heig
   });
   return surfaces;
 }
-
-}  // namespace
 
 ScreenMaterial::ScreenMaterial(const Material& material)
     : body(part_of(material.brdf, true)),
@@ -74,20 +74,8 @@ ScreenScene make_screen(const Scene& scene, const RayCaster& caster, const Optio
   const float radius = bounds_of(scene.mesh).radius();
   const float least_distance = options.least_distance > 0.0f ? options.least_distance : 0.02f * radius;
   zonal::SurfacePicture surfaces = make_surfaces(hits, width, height, false);
-  zonal::SurfacePicture shading_surfaces = make_surfaces(hits, width, height, true);
-  return {scene,
-          caster,
-          options,
-          probe,
-          std::move(materials),
-          std::move(sets),
-          least_distance,
-          2.0f * radius,
-          width,
-          height,
-          std::move(hits),
-          std::move(surfaces),
-          std::move(shading_surfaces)};
+  return {scene,          caster,        options, probe,  std::move(materials), std::move(sets),
+          least_distance, 2.0f * radius, width,   height, std::move(hits),      std::move(surfaces)};
 }
 
 }  // namespace example::igi_render

@@ -40,10 +40,9 @@ struct ScreenScene {
   float least_distance;  // metres
   float diameter;        // of the scene, metres
 
-  int width, height;                       // positions
-  PrimaryHits hits;                        // one at each
-  zonal::SurfacePicture surfaces;          // with geometric normals
-  zonal::SurfacePicture shading_surfaces;  // with shading normals
+  int width, height;               // positions
+  PrimaryHits hits;                // one at each
+  zonal::SurfacePicture surfaces;  // with geometric normals
 
   const std::optional<Hit>& hit_at(int x, int y) const {
     return hits.of_pixel(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
@@ -53,6 +52,9 @@ struct ScreenScene {
   /// Is the way free from the hit?
   bool sees(const Hit& from, const glm::vec3& direction, float distance) const;
 };
+
+/// What the hits see, with geometric normals or those that it is shaded by.
+zonal::SurfacePicture make_surfaces(const PrimaryHits& hits, int width, int height, bool shading_normals);
 
 /// Scene, caster, options and probe, null where there is none, must outlive it.
 ScreenScene make_screen(const Scene& scene, const RayCaster& caster, const Options& options, const Probe* probe,

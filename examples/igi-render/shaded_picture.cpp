@@ -184,9 +184,11 @@ Pass pass_of(const ScreenScene& screen, Filter filter, Progress& progress) {
   });
   if (filter != Filter::none) {
     const bool strict = filter == Filter::irradiance_strict;
+    const zonal::SurfacePicture as_shaded =
+        strict ? make_surfaces(screen.hits, screen.width, screen.height, true) : zonal::SurfacePicture();
     pass.filter_seconds = seconds_of([&] {
-      zonal::filter(numbers, strict ? screen.shading_surfaces : screen.surfaces, screen.options.pattern,
-                    screen.options.tests, [](int count, const auto& body) { tbb::parallel_for(0, count, body); });
+      zonal::filter(numbers, strict ? as_shaded : screen.surfaces, screen.options.pattern, screen.options.tests,
+                    [](int count, const auto& body) { tbb::parallel_for(0, count, body); });
     });
   }
   pass.shading_seconds = seconds_of([&] {

@@ -49,7 +49,7 @@ inline float kernel_weight(float squared_distance) {
   return std::exp(squared_distance * (-0.5F / (kKernelDeviation * kKernelDeviation)));
 }
 
-inline constexpr float kLeastSlopeDamping = 0.03F;  // below, rounding decides on a slope across samples on a line
+inline constexpr float kLeastSlopeDamping = 0.05F;  // below, rounding decides on a slope across samples on a line
 
 /// How samples become a field: `slope_damping` from kLeastSlopeDamping, which all that is less counts as, to infinity,
 /// the mean; and what happens to holes.

@@ -6,8 +6,10 @@
 
 namespace example {
 
-/// Thrown where work stops because the user asked for it.
-struct Interrupted {};
+/// Thrown where work stops because the user asked for it; what became of the work, for the terminal.
+struct Interrupted {
+  const char* outcome = "nothing written";
+};
 
 namespace interrupt_detail {
 inline std::atomic<int> signal{0};

@@ -7,6 +7,7 @@
 
 #include "mirror_ball.hpp"
 #include "shared/interrupt.hpp"
+#include "shared/spread_points.hpp"
 
 namespace example::field_capture {
 namespace {
@@ -47,7 +48,7 @@ class Capture {
     const SpreadPoints points(random);
     glm::vec3 sum(0.0f);
     for (int sample = 0; sample < samples; ++sample) {
-      const glm::dvec2 place(points.point(static_cast<std::uint32_t>(sample)));
+      const glm::dvec2 place(glm::vec2(points.point(static_cast<std::uint32_t>(sample))));
       glm::dvec3 direction = as_vector(mapping_.direction(column + place.x, row + place.y));
       // At the rim of a disc some places have none.
       if (direction == glm::dvec3(0.0)) direction = as_vector(mapping_.direction(column + 0.5, row + 0.5));
@@ -60,7 +61,7 @@ class Capture {
   void add(const Emitter& emitter, Pcg32& random) {
     const SpreadPoints points(random);
     for (std::uint32_t i = 0; i < disc_samples; ++i) {
-      const glm::vec2 square = points.point(i);
+      const glm::vec2 square(points.point(i));
       const auto view = ball_.view(glm::transpose(to_scene_) * glm::dvec3(emitter.point(square) - position_));
       if (!view) continue;
       const std::array<double, 2> texel =

@@ -9,6 +9,7 @@
 #include <zonal/file/number_text.hpp>
 
 #include "shared/interrupt.hpp"
+#include "shared/spread_points.hpp"
 
 namespace example::field_capture {
 namespace {
@@ -49,7 +50,7 @@ Truth true_coefficients(const IncidentRadiance& light, const glm::vec3& place, i
   Truth sum = sum_in_parallel(paths, [&](int first, int end, Truth& part) {
     Pcg32 random(hash64(seed + 1) ^ static_cast<std::uint64_t>(first));
     for (int i = first; i < end; ++i) {
-      const glm::dvec3 direction = sphere_direction(directions.point(static_cast<std::uint32_t>(i)));
+      const glm::dvec3 direction = sphere_direction(glm::vec2(directions.point(static_cast<std::uint32_t>(i))));
       add(direction, solid_angle * glm::dvec3(light.of_surfaces(place, direction, random)), part);
     }
   });
@@ -57,7 +58,7 @@ Truth true_coefficients(const IncidentRadiance& light, const glm::vec3& place, i
     sum += sum_in_parallel(emitter_samples, [&](int first, int end, Truth& part) {
       for (int i = first; i < end; ++i) {
         const IncidentRadiance::Arrival arrival =
-            light.arrival(emitter, place, on_emitter.point(static_cast<std::uint32_t>(i)), emitter_samples);
+            light.arrival(emitter, place, glm::vec2(on_emitter.point(static_cast<std::uint32_t>(i))), emitter_samples);
         if (arrival.irradiance == glm::vec3(0.0f) || !light.visible(place, arrival.point)) continue;
         add(glm::normalize(glm::dvec3(arrival.direction)), arrival.irradiance, part);
       }

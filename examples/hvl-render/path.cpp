@@ -6,6 +6,7 @@
 #include "shared/interrupt.hpp"
 #include "shared/primary_hits.hpp"
 #include "shared/scatter.hpp"
+#include "shared/spread_points.hpp"
 
 namespace example::hvl_render {
 
@@ -75,8 +76,9 @@ glm::vec3 PathTracer::indirect_radiance(const Hit& hit, std::size_t sample) cons
   glm::vec3 sum(0.0f);
   const auto count = static_cast<std::uint32_t>(paths_per_position_);
   for (std::uint32_t path = 0; path < count && !stop_requested(); ++path) {
-    sum += path_by_material(hit, to_camera, random, material_points.choice(path), material_points.point(path));
-    sum += path_by_spotlight(hit, to_camera, spotlight_points.point(path));
+    const glm::vec4 u = material_points.point(path);
+    sum += path_by_material(hit, to_camera, random, u.z, glm::vec2(u));
+    sum += path_by_spotlight(hit, to_camera, glm::vec2(spotlight_points.point(path)));
   }
   return sum / static_cast<float>(paths_per_position_);
 }

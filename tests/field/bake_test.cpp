@@ -157,7 +157,7 @@ TEST_CASE("what the folder holds of another bake is not taken") {
     bake.step();
     bake.save();
     REQUIRE(Bake(folder, capture.sequence, capture.buckets, capture.grid, {}).done() == 1);
-    REQUIRE(Bake(folder, capture.sequence, capture.buckets, capture.grid, {0.2F}).done() == 0);
+    REQUIRE(Bake(folder, capture.sequence, capture.buckets, capture.grid, {0.2F, zonal::Repair::mip_maps}).done() == 0);
     REQUIRE(Bake(folder, capture.sequence, capture.buckets, capture.grid, {}, {0, 2}).done() == 0);
     const Grid other(glm::vec3(0), glm::vec3(1), glm::ivec3(5, 3, 4));
     REQUIRE(Bake(folder, capture.sequence, capture.buckets, other, {}).done() == 0);

@@ -53,9 +53,10 @@ TEST_CASE("a field of far lights comes back everywhere, by any probes") {
   double rms = 0;
   for (const glm::dvec3& c : truth) rms += glm::dot(c, c);
   rms = std::sqrt(rms);
-  std::vector<std::vector<ProbePlace>> cases = {random_probes(300, low, high, 1), random_probes(1, low, high, 2),
-                                                random_probes(400, low - 3.0F, high + 3.0F, 3)};  // most outside the box
-  cases.push_back(std::vector<ProbePlace>(9, cases[1][0]));                                      // all at one place
+  std::vector<std::vector<ProbePlace>> cases = {
+      random_probes(300, low, high, 1), random_probes(1, low, high, 2),
+      random_probes(400, low - 3.0F, high + 3.0F, 3)};       // most outside the box
+  cases.push_back(std::vector<ProbePlace>(9, cases[1][0]));  // all at one place
   for (const auto& probes : cases) {
     const auto samples = take_samples(buckets, probes, 0.05F, field);
     for (const Resampling& how : {Resampling{}, Resampling::of_paper(), Resampling{0, zonal::Repair::nearest}}) {

@@ -49,12 +49,12 @@ inline float kernel_weight(float squared_distance) {
   return std::exp(squared_distance * (-0.5F / (kKernelDeviation * kKernelDeviation)));
 }
 
-inline constexpr float kLeastSlopeDamping = 0.05F;  // below, rounding decides on a slope across samples on a line
+inline constexpr float kLeastSlopeDamping = 0.1F;  // below, rounding decides on a slope across samples on a line
 
 /// How samples become a field: `slope_damping` from kLeastSlopeDamping, which all that is less counts as, to infinity,
 /// the mean; and what happens to holes.
 struct Resampling {
-  float slope_damping = 0.1F;
+  float slope_damping = kLeastSlopeDamping;
   Repair repair = Repair::mip_maps;
 
   /// As the paper has it.
@@ -108,21 +108,21 @@ class DirectionPlane {
     float numbers[16] = {};
 
     LatticePoint fit(float damping) const {
-      const float weight = numbers[0];
-      if (!(weight > 0)) return {};
-      const float u = numbers[1] / weight, v = numbers[2] / weight;
-      const float added = (std::max)(damping, kLeastSlopeDamping) * kKernelDeviation * kKernelDeviation;
-      const float uu = numbers[3] / weight - u * u + added, vv = numbers[5] / weight - v * v + added;
-      const float uv = numbers[4] / weight - u * v, determinant = uu * vv - uv * uv;
-      const bool has_slope = determinant > 0 && determinant <= (std::numeric_limits<float>::max)();
-      // value = mean - (slope_u u + slope_v v), slopes by Cramer's rule
-      const float by_u = has_slope ? (vv * u - uv * v) / determinant : 0;
-      const float by_v = has_slope ? (uu * v - uv * u) / determinant : 0;
+      if (!(numbers[0] > 0)) return {};
+      const double weight = double(numbers[0]);
+      const auto mean_of = [&](int i) { return double(numbers[i]) / weight; };
+      const double u = mean_of(1), v = mean_of(2);
+      const double added = double((std::max)(damping, kLeastSlopeDamping) * kKernelDeviation * kKernelDeviation);
+      const double uu = mean_of(3) - u * u + added, uv = mean_of(4) - u * v, vv = mean_of(5) - v * v + added;
+      const double determinant = uu * vv - uv * uv;
+      const bool has_slope = determinant > 0 && determinant <= double((std::numeric_limits<float>::max)());
+      // The value here is the mean less slope . (u, v), the slope by Cramer's rule.
+      const double by_u = has_slope ? (vv * u - uv * v) / determinant : 0;
+      const double by_v = has_slope ? (uu * v - uv * u) / determinant : 0;
       float colour[3];
       for (int c = 0; c < 3; ++c) {
-        const float mean = numbers[6 + c] / weight;
-        const float cu = numbers[9 + c] / weight - u * mean, cv = numbers[12 + c] / weight - v * mean;
-        colour[c] = (std::max)(mean - (by_u * cu + by_v * cv), 0.0F);  // radiance
+        const double mean = mean_of(6 + c), cu = mean_of(9 + c) - u * mean, cv = mean_of(12 + c) - v * mean;
+        colour[c] = float((std::max)(mean - (by_u * cu + by_v * cv), 0.0));  // radiance
       }
       return {colour[0], colour[1], colour[2], 1};
     }

@@ -3,12 +3,13 @@
 #include <atomic>
 #include <csignal>
 #include <ctime>
+#include <string>
 
 namespace example {
 
-/// Thrown where work stops because the user asked for it; what became of the work, for the terminal.
+/// Thrown where work stops because the user asked for it.
 struct Interrupted {
-  const char* outcome = "nothing written";
+  std::string left = "nothing written";  // of what was asked for
 };
 
 namespace interrupt_detail {

@@ -8,6 +8,7 @@
 #include <zonal/screen/filter.hpp>
 #include <zonal/screen/moments.hpp>
 #include <zonal/screen/shade.hpp>
+#include <zonal/transform/window.hpp>
 
 #include "option_names.hpp"
 #include "shared/frame.hpp"
@@ -23,19 +24,22 @@ double seconds_of(const auto& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The material's coefficients at a hit, its body in the texture's colour.
+/// The material's coefficients at a hit, its body in the texture's colour. The window is for the rest alone: what is
+/// matte does not ring, and would be blurred.
 template <int N>
-zonal::EvenSh<N, glm::vec3> material_at(const ScreenMaterial& material, const Hit& hit, float cos_outgoing) {
-  zonal::EvenSh<N, glm::vec3> row = material.rest_table.with_cosine<N>(cos_outgoing);
+zonal::EvenSh<N, glm::vec3> material_at(const ScreenMaterial& material, const Hit& hit, float cos_outgoing,
+                                        zonal::Window window) {
+  zonal::EvenSh<N, glm::vec3> row = zonal::apply_window(material.rest_table.with_cosine<N>(cos_outgoing), window);
   const zonal::EvenSh<N, glm::vec3> body = material.body_table.with_cosine<N>(cos_outgoing);
   for (int i = 0; i < row.size(); ++i) row[i] += hit.colour * body[i];
   return row;
 }
 
 template <int N>
-glm::vec3 shade(const ScreenScene& screen, const Hit& hit, const zonal::Sh<N, glm::vec3>& radiance) {
+glm::vec3 shade(const ScreenScene& screen, const Hit& hit, const zonal::Sh<N, glm::vec3>& radiance,
+                zonal::Window window = zonal::Window::none) {
   const glm::vec3 outgoing = towards_camera(screen.scene, hit);
-  const auto row = material_at<N>(screen.materials[hit.material], hit, glm::dot(hit.normal, outgoing));
+  const auto row = material_at<N>(screen.materials[hit.material], hit, glm::dot(hit.normal, outgoing), window);
   return zonal::reflected_radiance(zonal::in_shading_frame(radiance, hit.normal, outgoing), row);
 }
 
@@ -87,7 +91,7 @@ struct Coefficients {
   static zonal::RadianceSum<N> sum(const ScreenScene&, const Hit&) { return {}; }
   static zonal::Sh<N, glm::vec3> value(const zonal::RadianceSum<N>& sum) { return sum.radiance(); }
   static glm::vec3 shaded(const ScreenScene& screen, const Hit& hit, const zonal::Sh<N, glm::vec3>& radiance) {
-    return shade(screen, hit, radiance);
+    return shade(screen, hit, radiance, screen.options.window);
   }
 };
 
@@ -245,7 +249,7 @@ Reference reference_of(const ScreenScene& screen, Progress& progress) {
         coefficients(arrival);
       };
       for (const zonal::LightSet& set : screen.sets) sum_light(screen, hit, set, both);
-      truncated[index(x, y)] = shade(screen, hit, coefficients.radiance() * share);
+      truncated[index(x, y)] = shade(screen, hit, coefficients.radiance() * share, screen.options.window);
       return (hit.colour * exact.body() + exact.rest()) * share;
     });
   });

@@ -2,46 +2,13 @@
 
 #include <cmath>
 
-#include <zonal/material/sampling.hpp>
-
 #include "direct_light.hpp"
-#include "shared/frame.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/primary_hits.hpp"
+#include "shared/scatter.hpp"
+#include "shared/spread_points.hpp"
 
 namespace example::hvl_render {
-namespace {
-
-struct Scattered {
-  glm::vec3 direction;        // unit, world
-  glm::vec3 reflected{0.0f};  // BRDF times cosine; black behind the triangle, whatever the normal says
-  float density = 0.0f;       // per steradian; zero where the path ends
-};
-
-Scattered scatter(const zonal::Brdf& brdf, const Hit& hit, const glm::vec3& outgoing, float u_lobe,
-                  const glm::vec2& u) {
-  const Frame frame(hit.normal, hit.tangent);
-  const glm::vec3 local_outgoing = frame.to_local(outgoing);
-  const zonal::BrdfSample sample = zonal::sample(brdf, local_outgoing, u_lobe, u);
-  if (sample.pdf <= 0.0f) return {outgoing};
-  const glm::vec3 direction = frame.to_world(sample.direction);
-  if (glm::dot(direction, hit.geometric_normal) <= 0.0f) return {direction};
-  const glm::vec3 reflected = zonal::evaluate(brdf, sample.direction, local_outgoing) * sample.direction.z;
-  return {direction, reflected, sample.pdf};
-}
-
-/// The same for a direction that something else chose.
-Scattered scatter_towards(const zonal::Brdf& brdf, const Hit& hit, const glm::vec3& outgoing,
-                          const glm::vec3& direction) {
-  const Frame frame(hit.normal, hit.tangent);
-  const glm::vec3 local_outgoing = frame.to_local(outgoing);
-  const glm::vec3 local_direction = frame.to_local(direction);
-  if (local_direction.z <= 0.0f || glm::dot(direction, hit.geometric_normal) <= 0.0f) return {direction};
-  const glm::vec3 reflected = zonal::evaluate(brdf, local_direction, local_outgoing) * local_direction.z;
-  return {direction, reflected, zonal::pdf(brdf, local_direction, local_outgoing)};
-}
-
-}  // namespace
 
 PathTracer::PathTracer(const Scene& scene, const RayCaster& caster, const PathSettings& settings, int antialias)
     : scene_(scene),
@@ -109,8 +76,9 @@ glm::vec3 PathTracer::indirect_radiance(const Hit& hit, std::size_t sample) cons
   glm::vec3 sum(0.0f);
   const auto count = static_cast<std::uint32_t>(paths_per_position_);
   for (std::uint32_t path = 0; path < count && !stop_requested(); ++path) {
-    sum += path_by_material(hit, to_camera, random, material_points.choice(path), material_points.point(path));
-    sum += path_by_spotlight(hit, to_camera, spotlight_points.point(path));
+    const glm::vec4 u = material_points.point(path);
+    sum += path_by_material(hit, to_camera, random, u.z, glm::vec2(u));
+    sum += path_by_spotlight(hit, to_camera, glm::vec2(spotlight_points.point(path)));
   }
   return sum / static_cast<float>(paths_per_position_);
 }

@@ -12,6 +12,7 @@
 #include "shared/input_error.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/random.hpp"
+#include "shared/spread_points.hpp"
 
 namespace example::igi_render {
 namespace {
@@ -86,8 +87,9 @@ class Sources {
     }
   }
 
-  /// One of `count` rays that together carry all that the source sends.
-  Emitted emit(const glm::vec2& u, const glm::vec2& v, float choice, int count) const {
+  /// One of `count` rays that together carry all that the source sends. The first two numbers are for its direction.
+  Emitted emit(const glm::vec4& numbers, int count) const {
+    const glm::vec2 u(numbers.x, numbers.y), v(numbers.z, numbers.w);
     const float share = 1.0f / static_cast<float>(count);
     switch (lighting_) {
       case Lighting::spot: {
@@ -96,7 +98,7 @@ class Sources {
                 scene_.light.intensity_towards(direction) * (scene_.light.solid_angle() * share)};
       }
       case Lighting::three: {
-        const ColouredPoint point = three_points(scene_)[std::min<std::size_t>(std::size_t(3.0f * choice), 2)];
+        const ColouredPoint point = three_points(scene_)[std::min<std::size_t>(std::size_t(3.0f * v.x), 2)];
         return {point.position, sphere_direction(u), point.intensity * (3.0f * 4.0f * glm::pi<float>() * share)};
       }
       case Lighting::area:
@@ -175,16 +177,15 @@ std::vector<zonal::LightSet> make_light_sets(const Scene& scene, const RayCaster
   const Sources sources(scene, options, probe);
   Pcg32 shared(options.seed);
   // Of one well-spread sequence each set takes a run: alone it is spread as well, and all together are the sequence.
-  const SpreadPoints direct(shared), along(shared), across(shared);
+  const SpreadPoints direct(shared), rays(shared);
   std::vector<zonal::LightSet> sets(static_cast<std::size_t>(options.pattern.sets()));
   tbb::parallel_for(0, options.pattern.sets(), [&](int index) {
     zonal::LightSet& set = sets[static_cast<std::size_t>(index)];
     for (int i = 0; i < options.samples; ++i) {
       const auto point = static_cast<std::uint32_t>(index * options.samples + i);
-      sources.add_direct(direct.point(point), i, options.samples, set);
+      sources.add_direct(glm::vec2(direct.point(point)), i, options.samples, set);
       Pcg32 random(hash64(options.seed) ^ point);
-      const Emitted emitted =
-          sources.emit(along.point(point), across.point(point), along.choice(point), options.samples);
+      const Emitted emitted = sources.emit(rays.point(point), options.samples);
       if (!stop_requested()) add_path(scene, caster, emitted, options.bounces, random, set);
     }
   });

@@ -120,12 +120,16 @@ void add_run_options(CLI::App& app, CommonOptions& options) {
       ->type_name("FILE.json")
       ->check(not_empty())
       ->group(run_group);
+  add_thread_options(app, options);
+}
+
+void add_thread_options(CLI::App& app, CommonOptions& options) {
   add_number(app, "--threads", options.threads, 0, 1024, "0...1024", "How many; 0 is all of the machine's")
       ->group(run_group);
   app.add_flag("--quiet", options.quiet, "Print neither progress nor the table")->group(run_group);
 }
 
-void add_scene_options(CLI::App& app, CommonOptions& options) {
+void add_scene_choice(CLI::App& app, CommonOptions& options) {
   app.add_option("--scene", options.scene,
                  "The built-in hall, all matte, glossy all over, with rough floor and walls, or open above; the inside "
                  "of a white sphere; "
@@ -141,6 +145,10 @@ void add_scene_options(CLI::App& app, CommonOptions& options) {
   add_choice(app, "--view", place_names, options.obj.place,
              "Where an OBJ is seen from; auto is from inside where it is a room")
       ->group(scene_group);
+}
+
+void add_scene_options(CLI::App& app, CommonOptions& options) {
+  add_scene_choice(app, options);
   CameraOverrides& camera = options.camera;
   add_point(app, "--camera", camera.position, "Where the camera is, in metres; y is up")->group(scene_group);
   add_point(app, "--target", camera.target, "What it looks at")->group(scene_group);

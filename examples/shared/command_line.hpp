@@ -99,9 +99,13 @@ CLI::Option* add_one_of(CLI::App& app, const std::string& name, int& number, con
 CLI::Option* add_compare_option(CLI::App& app, CommonOptions& options, const std::string& help);
 /// --out
 CLI::Option* add_out_option(CLI::App& app, CommonOptions& options);
-/// --report, --threads and --quiet
+/// --threads and --quiet
+void add_thread_options(CLI::App& app, CommonOptions& options);
+/// The same, and --report
 void add_run_options(CLI::App& app, CommonOptions& options);
-/// --scene, --no-stage, and the camera
+/// --scene, --no-stage, --up and --view
+void add_scene_choice(CLI::App& app, CommonOptions& options);
+/// The same, and the camera
 void add_scene_options(CLI::App& app, CommonOptions& options);
 /// --size, --antialias, --exposure and --tone
 void add_image_options(CLI::App& app, CommonOptions& options);

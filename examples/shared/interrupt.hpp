@@ -3,11 +3,14 @@
 #include <atomic>
 #include <csignal>
 #include <ctime>
+#include <string>
 
 namespace example {
 
 /// Thrown where work stops because the user asked for it.
-struct Interrupted {};
+struct Interrupted {
+  std::string left = "nothing written";  // of what was asked for
+};
 
 namespace interrupt_detail {
 inline std::atomic<int> signal{0};

@@ -20,8 +20,8 @@ constexpr int exit_by_signal = 128;  // and the signal's number, as of a shell
 int report_errors(const char* name, const std::function<int()>& body) {
   try {
     return zonal::with_standard_output(body);
-  } catch (const Interrupted&) {
-    std::fprintf(stderr, "%s: interrupted, nothing written\n", name);
+  } catch (const Interrupted& interrupted) {
+    std::fprintf(stderr, "%s: interrupted, %s\n", name, interrupted.left.c_str());
     return exit_by_signal + stop_signal();
   } catch (const InputError& error) {
     std::fprintf(stderr, "%s: %s\n", name, error.what());

@@ -43,39 +43,4 @@ class Pcg32 {
   std::uint64_t increment_;
 };
 
-/// Three well-spread coordinates per index: the (0,2)-sequence of van der Corput and Sobol, and a
-/// golden-ratio sequence, each shifted at random (Kollig and Keller 2002).
-class SpreadPoints {
- public:
-  explicit SpreadPoints(Pcg32& random)
-      : scramble_x_(random.bits()), scramble_y_(random.bits()), offset_(random.bits()) {}
-
-  glm::vec2 point(std::uint32_t index) const {
-    return {unit_float(van_der_corput(index) ^ scramble_x_), unit_float(sobol(index) ^ scramble_y_)};
-  }
-
-  float choice(std::uint32_t index) const { return unit_float(offset_ + index * 2654435769u); }
-
- private:
-  static std::uint32_t van_der_corput(std::uint32_t bits) {
-    bits = (bits << 16) | (bits >> 16);
-    bits = ((bits & 0x00ff00ffu) << 8) | ((bits & 0xff00ff00u) >> 8);
-    bits = ((bits & 0x0f0f0f0fu) << 4) | ((bits & 0xf0f0f0f0u) >> 4);
-    bits = ((bits & 0x33333333u) << 2) | ((bits & 0xccccccccu) >> 2);
-    return ((bits & 0x55555555u) << 1) | ((bits & 0xaaaaaaaau) >> 1);
-  }
-
-  static std::uint32_t sobol(std::uint32_t index) {
-    std::uint32_t result = 0;
-    for (std::uint32_t direction = 1u << 31; index != 0; index >>= 1, direction ^= direction >> 1) {
-      if (index & 1u) result ^= direction;
-    }
-    return result;
-  }
-
-  std::uint32_t scramble_x_;
-  std::uint32_t scramble_y_;
-  std::uint32_t offset_;
-};
-
 }  // namespace example

@@ -188,8 +188,11 @@ std::optional<Hit> RayCaster::closest_from(const Hit& from, const glm::vec3& dir
 bool RayCaster::visible(const Hit& from, const glm::vec3& point) const {
   // Light that comes in behind the triangle is no light, whatever the interpolated normal says.
   if (glm::dot(point - from.position, from.geometric_normal) <= 0.0f) return false;
-  const glm::vec3 origin = leave(from, point - from.position);
-  RTCRay ray = make_ray(origin, point - origin, 1.0f - 1e-5f);
+  return visible(leave(from, point - from.position), point);
+}
+
+bool RayCaster::visible(const glm::vec3& from, const glm::vec3& to) const {
+  RTCRay ray = make_ray(from, to - from, 1.0f - 1e-5f);
   embree::occluded(accelerator_, ray);
   return ray.tfar >= 0.0f;
 }

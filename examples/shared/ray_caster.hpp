@@ -50,6 +50,8 @@ class RayCaster {
   /// Is the segment from the surface to the point free?
   bool visible(const Hit& from, const glm::vec3& point) const;
   bool visible(const Hit& from, const Hit& to) const;
+  /// Is the segment between two points in free space?
+  bool visible(const glm::vec3& from, const glm::vec3& to) const;
 
  private:
   glm::vec3 leave(const Hit& from, const glm::vec3& direction) const;

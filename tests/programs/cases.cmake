@@ -2,9 +2,13 @@
 #   program   its target
 #   small     arguments that make it fast
 #   few       those that ask for few lights, if not --lights 1
+#   inputs_program  the program that makes pictures for the cases, if not this one
 # and includes this one.
 if(NOT few)
   set(few --lights 1)
+endif()
+if(NOT inputs_program)
+  set(inputs_program ${program})
 endif()
 list(JOIN few " " few_words)
 set(programs_dir ${CMAKE_CURRENT_LIST_DIR})
@@ -12,7 +16,7 @@ set(work_dir ${CMAKE_CURRENT_BINARY_DIR}/cases)
 string(REPEAT a 300 long_name)
 
 add_test(NAME "${program}: inputs of the cases" COMMAND
-  ${programs_dir}/make_inputs.sh $<TARGET_FILE:${program}> ${programs_dir}/scenes ${work_dir}/inputs ${few})
+  ${programs_dir}/make_inputs.sh $<TARGET_FILE:${inputs_program}> ${programs_dir}/scenes ${work_dir}/inputs ${few})
 set_tests_properties("${program}: inputs of the cases" PROPERTIES FIXTURES_SETUP ${program}_inputs)
 
 # program_case(<name> <exit status> <new files> <pattern of standard error> <command>...)

@@ -20,10 +20,11 @@ using namespace example::igi_render;
 constexpr float pi = 3.14159265f;
 
 /// Irradiance at a place with this normal, nothing in the way, from all sets, of which each is a whole estimate.
-glm::dvec3 irradiance(const std::vector<zonal::LightSet>& sets, const glm::vec3& position, const glm::vec3& normal) {
+glm::dvec3 irradiance(const std::vector<zonal::LightSet>& sets, const glm::vec3& position, const glm::vec3& normal,
+                      float least_distance = 1e-3f) {
   glm::dvec3 sum(0.0);
   for (const zonal::LightSet& set : sets) {
-    zonal::for_each_arrival(set, position, normal, 1e-3f, {}, [&](const auto& arrival) {
+    zonal::for_each_arrival(set, position, normal, least_distance, {}, [&](const auto& arrival) {
       for (int lane = 0; lane < zonal::LightSet::Lanes::width; ++lane) {
         const auto component = [&](const auto& v, int i) { return static_cast<double>(v[i][lane]); };
         const glm::dvec3 w(component(arrival.direction, 0), component(arrival.direction, 1),
@@ -195,6 +196,51 @@ TEST_CASE("a picture's samples are its light, from where it is: up is y") {
   CHECK_THROWS_AS(Probe("nowhere.exr"), InputError);
 }
 
+TEST_CASE("seeds come nearer to each other as paths from a panel or a picture grow in number") {
+  const Scene scene = make_atrium(AtriumFinish::courtyard);
+  const RayCaster caster(scene);
+  Image sky(64, 32);
+  for (glm::vec3& texel : sky.pixels) texel = glm::vec3(0.2f);
+  for (int y = 2; y < 8; ++y) sky.at(10, y) = glm::vec3(30.0f);
+  const ProbeFile file(sky);
+  const Probe probe(file.path);
+
+  // What bounces to places in mid-air.
+  const auto bounced = [&](Options options) {
+    const auto all = make_light_sets(scene, caster, options, &probe);
+    options.bounces = 0;
+    const auto direct = make_light_sets(scene, caster, options, &probe);
+    std::vector<double> light;
+    for (const glm::vec3 offset : {glm::vec3(0), glm::vec3(0.7f, 0.3f, -0.5f), glm::vec3(-0.6f, -0.4f, 0.5f)}) {
+      for (const glm::vec3 normal : {glm::vec3(0, -1, 0), glm::vec3(1, 0, 0), glm::vec3(0, 0, -1)}) {
+        const glm::vec3 place = bounds_of(scene.mesh).centre() + offset;
+        light.push_back(irradiance(all, place, normal, 0.5f).g - irradiance(direct, place, normal, 0.5f).g);
+      }
+    }
+    return light;
+  };
+  // Its standard deviation over seeds, relative to its mean, over all places.
+  const auto deviation = [&](Lighting lighting, int side) {
+    Options options = options_of(lighting, 4, 1);
+    options.pattern = {side, side};
+    std::vector<std::vector<double>> of_seeds;
+    for (options.seed = 1; options.seed <= 16; ++options.seed) of_seeds.push_back(bounced(options));
+    const double seeds = static_cast<double>(of_seeds.size()), places = static_cast<double>(of_seeds[0].size());
+    double variance = 0.0;
+    for (std::size_t place = 0; place < of_seeds[0].size(); ++place) {
+      double sum = 0.0, squares = 0.0;
+      for (const auto& light : of_seeds) sum += light[place], squares += light[place] * light[place];
+      variance += (seeds * squares / (sum * sum) - 1.0) / places;
+    }
+    return std::sqrt(variance);
+  };
+  for (const Lighting lighting : {Lighting::area, Lighting::probe}) {
+    const double few = deviation(lighting, 4), many = deviation(lighting, 16);
+    CAPTURE(name_of(lighting_names, lighting), few, many);
+    CHECK(many < 0.25 * few);  // what 16 times as many random paths come to
+  }
+}
+
 TEST_CASE("with one set a filter changes nothing: reflected light is the reference, radiance its bands") {
   const Scene scene = make_atrium(AtriumFinish::bumped_glossy);
   Options options = options_of(Lighting::area, 4, 1);
@@ -209,15 +255,23 @@ TEST_CASE("with one set a filter changes nothing: reflected light is the referen
 TEST_CASE("on the bumped scene radiance is filtered better than reflected light, and both better than nothing") {
   const Scene scene = make_atrium(AtriumFinish::bumped);
   Options options = options_of(Lighting::area, 8, 1);
-  options.width = 160;
-  options.height = 128;
+  options.width = 320;
+  options.height = 256;
   const Run run(scene, options);
-  const auto error = [&](Filter filter) { return difference(run.of(filter), run.reference.exact.picture); };
-  const double radiance = error(Filter::radiance), irradiance = error(Filter::irradiance);
-  CAPTURE(radiance, irradiance, error(Filter::irradiance_strict), error(Filter::none));
-  CHECK(radiance < 0.75 * irradiance);
-  CHECK(radiance < 0.75 * error(Filter::irradiance_strict));
-  CHECK(irradiance < 0.5 * error(Filter::none));
+  // As it is seen: in linear light few pixels, each beside a virtual light, outweigh all others, and the ratio of errors
+  // is anything from 0.6 to 1.2, as the seed has it.
+  const auto seen = [&](Filter filter) {
+    return compare(run.of(filter), run.reference.exact.picture, options.display).rmse;
+  };
+  const double radiance = seen(Filter::radiance), irradiance = seen(Filter::irradiance);
+  CAPTURE(radiance, irradiance, seen(Filter::irradiance_strict), seen(Filter::none));
+  CHECK(radiance < 0.6 * irradiance);
+  CHECK(radiance < 0.65 * seen(Filter::irradiance_strict));
+  CHECK(irradiance < 0.7 * seen(Filter::none));
+  // Most of the unfiltered noise is in what a display cuts off.
+  const auto light = [&](Filter filter) { return difference(run.of(filter), run.reference.exact.picture); };
+  CAPTURE(light(Filter::irradiance), light(Filter::none));
+  CHECK(light(Filter::irradiance) < 0.5 * light(Filter::none));
 }
 
 TEST_CASE("sixteen bits change next to nothing") {

@@ -3,7 +3,9 @@
 // A sequence is a text file, one item a line, words apart by blanks; names with blanks in double quotes:
 //
 //   # what follows is no part of it
-//   mapping mirror sphere         as mapping.hpp names them; without it, what the pictures' shape says (guess.hpp)
+//   mapping mirror sphere         as mapping.hpp names them; without it, a mirror sphere where one of the next two
+//   items
+//                                 is there, else what the pictures' shape says (guess.hpp)
 //   sphere-radius 0.05            of the mirror sphere, in the positions' unit; without it 0: one viewpoint
 //   dead-angle 4.2 black          degrees about forward that a mirror sphere does not show; they are black (so too
 //                                 without the word), or missing
@@ -96,7 +98,7 @@ class SequenceReader {
     }
     line_ = 0;
     if (sequence_.probes.empty()) fail("has no probes");
-    check_mirror();
+    settle_mirror();
   }
 
   ProbeSequence take() { return std::move(sequence_); }
@@ -176,9 +178,11 @@ class SequenceReader {
     if (!(std::abs(length - 1) < 1e-3F)) fail("has an orientation that is no unit quaternion");
     return glm::quat(turn.w / length, turn.x / length, turn.y / length, turn.z / length);
   }
-  void check_mirror() const {
-    const bool is_mirror = !sequence_.mapping || *sequence_.mapping == Mapping::mirror_sphere;
-    if (!is_mirror && (sequence_.sphere_radius > 0 || sequence_.dead_angle > 0)) {
+  // A mirror's radius or dead angle names the mapping.
+  void settle_mirror() {
+    if (!(sequence_.sphere_radius > 0 || sequence_.dead_angle > 0)) return;
+    if (!sequence_.mapping) sequence_.mapping = Mapping::mirror_sphere;
+    if (*sequence_.mapping != Mapping::mirror_sphere) {
       fail(std::string("has a mirror sphere's radius or dead angle, but its mapping is ") +
            mapping_name(*sequence_.mapping));
     }

@@ -1,7 +1,8 @@
 // Files read with care, and the shape of zonal's own formats.
 //
 // zonal's own formats are little-endian words of 32 bits: a mark of 8 bytes, the version of the format, the rest of a
-// header, data, and a checksum of 8 bytes, FNV-1a of everything before, taken four bytes at a time.
+// header, data, and a checksum of 8 bytes, FNV-1a of everything before, taken four bytes at a time. Data that is not
+// read from beginning to end is in parts, each with a checksum of its own after it.
 //
 // A reader knows the size of its file, to check a header against it before any memory is asked for. Files are written
 // whole or not at all (output_file.hpp).
@@ -122,7 +123,8 @@ struct FileFormat {
   }
 };
 
-// An open file of a format: read_header first, then as many words as its size says, then check_the_end.
+// An open file of a format: read_header first, then as many words as its size says, then check_the_end, of the file or
+// of a part.
 class WordReader {
  public:
   WordReader(const std::filesystem::path& path, const FileFormat& format) : file_(path), format_(format) {}
@@ -142,6 +144,13 @@ class WordReader {
       fail("has version " + std::to_string(words[2]) + " of the format; this reads " + std::to_string(format_.version));
     }
   }
+  /// To where a part begins.
+  void seek(std::uint64_t offset) {
+    file_.seek(offset);
+    words_ = {};
+  }
+  /// At most FileWords::block.
+  void read_words(std::uint32_t* words, std::size_t count) { read(words, count); }
   void read_floats(float* floats, std::size_t count) {
     std::array<std::uint32_t, FileWords::block> words;
     for (std::size_t done = 0; done < count; done += words.size()) {
@@ -155,6 +164,7 @@ class WordReader {
     std::uint32_t words[2];
     read(words, 2);
     if (expected != from_words(words)) fail("is damaged: wrong checksum");
+    words_ = {};
   }
 
  private:
@@ -196,13 +206,19 @@ class WordWriter {
       write(words.data(), now);
     }
   }
-  // The checksum, and the move.
-  void finish() {
+  /// The checksum of what was written since the last.
+  void end_part() {
     std::uint32_t words[2];
     to_words(words_.checksum(), words);
     write(words, 2);
-    file_.move_into_place();
+    words_ = {};
   }
+  // The checksum, and the move.
+  void finish() {
+    end_part();
+    move_into_place();
+  }
+  void move_into_place() { file_.move_into_place(); }
 
  private:
   OutputFile file_;

@@ -1,0 +1,136 @@
+#include "options.hpp"
+
+#include "option_names.hpp"
+#include "shared/command_line.hpp"
+#include "shared/input_error.hpp"
+
+namespace example::field_capture {
+namespace {
+
+/// x,y,z:x,y,z
+bool parse_box(const std::string& text, Options& options) {
+  const std::size_t colon = text.find(':');
+  std::array<float, 3> low{}, high{};
+  if (colon == std::string::npos || !parse_numbers(text.substr(0, colon), ',', low) ||
+      !parse_numbers(text.substr(colon + 1), ',', high)) {
+    return false;
+  }
+  options.low = glm::vec3(low[0], low[1], low[2]);
+  options.high = glm::vec3(high[0], high[1], high[2]);
+  return true;
+}
+
+CLI::Validator box() {
+  return validator([](const std::string& text) -> std::string {
+    Options ignored;
+    return parse_box(text, ignored) ? "" : "'" + text + "' is not a box such as -0.5,1,2:0.5,2,3";
+  });
+}
+
+void add_place_options(CLI::App& app, Options& options) {
+  const std::string group = "Light and probes";
+  add_choice(app, "--setup", field_setup_names, options.setup,
+             "An area light and a projector of coloured squares; or a half-blocked red spotlight and a cone of white "
+             "light")
+      ->group(group);
+  app.add_option_function<std::string>(
+         "--box", [&options](const std::string& text) { parse_box(text, options); },
+         "Low and high corner, in metres, of the volume that probes stand in and lamps are placed about; without it, a "
+         "cube near the middle of the scene")
+      ->type_name("X,Y,Z:X,Y,Z")
+      ->check(box())
+      ->group(group);
+  add_number(app, "--probes", options.probes, 1, 1000000, "1...1000000", "How many, about: what the layout can have")
+      ->group(group);
+  add_choice(app, "--layout", layout_names, options.layout,
+             "A regular grid, three planes through the middle, or one in each cell of a grid at random")
+      ->group(group);
+}
+
+void add_picture_options(CLI::App& app, Options& options) {
+  const std::string group = "Pictures";
+  add_number(app, "--size", options.side, 8, 4096, "8...4096", "Height in texels; faces of cubes have half as many")
+      ->group(group);
+  add_choice(app, "--mapping", mapping_names(), options.mapping, "Which texel is which direction")->group(group);
+  app.add_option("--sphere-radius", options.sphere_radius,
+                 "Of the mirror sphere, whose surface rays start on; 0 is one viewpoint, as of all other mappings. "
+                 "Without it 0.05")
+      ->type_name("0...1 metres")
+      ->check(between(0.0f, 1.0f, "0...1 metres"))
+      ->group(group);
+  add_number(app, "--dead-angle", options.dead_angle, 0.0f, 90.0f, "0...90 degrees",
+             "About what is right behind a mirror sphere, which does not show it")
+      ->group(group);
+  add_choice(app, "--dead-angle-is", dead_angle_names, options.dead_angle_is,
+             "What the sequence says of it; the texels are black")
+      ->group(group);
+}
+
+void add_path_options(CLI::App& app, Options& options) {
+  const std::string group = "Paths";
+  add_number(app, "--samples", options.samples, 1, 65536, "1...65536", "Paths in each texel")->group(group);
+  add_number(app, "--bounces", options.bounces, 0, 16, "0...16", "Between surfaces")->group(group);
+  add_number(app, "--seed", options.seed, std::uint64_t{0}, ~std::uint64_t{0}, "0...2^64-1",
+             "Another seed, another noise, and other places at random")
+      ->group(group);
+}
+
+void add_truth_options(CLI::App& app, Options& options) {
+  const std::string group = "Truth";
+  CLI::Option* truth = app.add_option("--truth", options.truth,
+                                      "Instead of pictures: the coefficients of what arrives at the positions in this "
+                                      "file, x y z a line, from one viewpoint, as CSV to --out")
+                           ->type_name("FILE")
+                           ->check(not_empty())
+                           ->group(group);
+  add_number(app, "--bands", options.bands, 1, 9, "1...9", "Bands of the coefficients")->needs(truth)->group(group);
+  add_number(app, "--truth-samples", options.truth_samples, 16, 1 << 24, "16...16777216", "Paths from each position")
+      ->needs(truth)
+      ->group(group);
+  for (const char* name : {"--probes", "--layout", "--size", "--mapping", "--sphere-radius", "--dead-angle",
+                           "--dead-angle-is", "--samples"}) {
+    truth->excludes(app.get_option(name));
+  }
+}
+
+void check(Options& options, const CLI::App& app) {
+  const bool is_mirror = options.is_mirror();
+  if (!is_mirror && options.sphere_radius.value_or(0.0f) > 0.0f) {
+    throw InputError("--sphere-radius: only of --mapping mirror-sphere");
+  }
+  if (!is_mirror && app.count("--dead-angle") > 0 && options.dead_angle > 0.0f) {
+    throw InputError("--dead-angle: only of --mapping mirror-sphere");
+  }
+  if (!is_mirror) options.dead_angle = 0.0f;
+  if (!options.sphere_radius) options.sphere_radius = is_mirror ? 0.05f : 0.0f;
+  if (!options.truth.empty() && app.count("--out") == 0) options.out = "truth.csv";
+}
+
+}  // namespace
+
+CommandLine<Options> parse_command_line(int argc, char** argv) {
+  CommandLine<Options> line;
+  CLI::App app(
+      "Captures a sequence of light probes in a scene by path tracing: pictures of\n"
+      "all directions, and sequence.txt, which says where each was taken. Stopped,\n"
+      "it leaves those that are done; run again, it goes on.",
+      "field-capture");
+  set_up(app);
+  app.add_option("--out", line.options.out,
+                 "The folder of pictures and sequence.txt; of --truth the CSV file, without it truth.csv")
+      ->type_name("DIRECTORY|FILE.csv")
+      ->check(not_empty())
+      ->capture_default_str()
+      ->group(run_group);
+  add_thread_options(app, line.options);
+  add_scene_choice(app, line.options);
+  add_place_options(app, line.options);
+  add_picture_options(app, line.options);
+  add_path_options(app, line.options);
+  add_truth_options(app, line.options);
+  line.exit_status = parse(app, argc, argv);
+  if (!line.exit_status) check(line.options, app);
+  return line;
+}
+
+}  // namespace example::field_capture

@@ -37,7 +37,7 @@ std::string version(const std::string& program) {
 std::string scene_names() {
   std::string text;
   for (const auto& [name, finish] : atrium_names) text += name + "|";
-  return text + "furnace|FILE.obj";
+  return text + "furnace|rooms|FILE.obj";
 }
 
 }  // namespace

@@ -13,14 +13,6 @@ namespace {
 
 constexpr double table_tolerance = 1e-4;
 
-zonal::Brdf part_of(const zonal::Brdf& brdf, bool body) {
-  zonal::Brdf part;
-  for (const zonal::BrdfLobe& lobe : brdf.lobes) {
-    if (zonal::is_diffuse(lobe) == body) part.lobes.push_back(lobe);
-  }
-  return part;
-}
-
 zonal::MaterialTable table_of(const zonal::Brdf& part) {
   const auto for_each = [](int count, const auto& body) { tbb::parallel_for(0, count, body); };
   return zonal::project_material(part, zonal::MaterialTable::max_bands, table_tolerance, for_each);
@@ -44,10 +36,7 @@ zonal::SurfacePicture make_surfaces(const PrimaryHits& hits, int width, int heig
 }
 
 ScreenMaterial::ScreenMaterial(const Material& material)
-    : body(part_of(material.brdf, true)),
-      gloss(part_of(material.brdf, false)),
-      body_table(table_of(body)),
-      gloss_table(table_of(gloss)) {
+    : BodyAndRest(body_and_rest(material.brdf)), body_table(table_of(body)), rest_table(table_of(rest)) {
   if (!is_isotropic(material.brdf))
     throw InputError(material.name + ": is anisotropic, which igi-render does not take");
 }

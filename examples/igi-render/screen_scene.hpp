@@ -8,6 +8,7 @@
 
 #include "light_sets.hpp"
 #include "options.hpp"
+#include "shared/materials.hpp"
 #include "shared/primary_hits.hpp"
 #include "shared/progress.hpp"
 #include "shared/ray_caster.hpp"
@@ -21,10 +22,9 @@ using namespace example::stage_name;
 inline constexpr const char* lights = "sets of lights";
 }  // namespace stage_name
 
-/// A material by what its texture colours and what not, each with its table.
-struct ScreenMaterial {
-  zonal::Brdf body, gloss;
-  zonal::MaterialTable body_table, gloss_table;
+/// A material's parts, each with its table.
+struct ScreenMaterial : BodyAndRest {
+  zonal::MaterialTable body_table, rest_table;
 
   explicit ScreenMaterial(const Material& material);
 };

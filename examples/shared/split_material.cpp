@@ -1,0 +1,35 @@
+#include "split_material.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include "input_error.hpp"
+
+namespace example {
+namespace {
+
+constexpr double table_tolerance = 1e-4;
+
+zonal::Brdf part_of(const zonal::Brdf& brdf, bool body) {
+  zonal::Brdf part;
+  for (const zonal::BrdfLobe& lobe : brdf.lobes) {
+    if (zonal::is_diffuse(lobe) == body) part.lobes.push_back(lobe);
+  }
+  return part;
+}
+
+zonal::MaterialTable table_of(const zonal::Brdf& part) {
+  const auto for_each = [](int count, const auto& body) { tbb::parallel_for(0, count, body); };
+  return zonal::project_material(part, zonal::MaterialTable::max_bands, table_tolerance, for_each);
+}
+
+}  // namespace
+
+SplitMaterial::SplitMaterial(const Material& material)
+    : body(part_of(material.brdf, true)),
+      gloss(part_of(material.brdf, false)),
+      body_table(table_of(body)),
+      gloss_table(table_of(gloss)) {
+  if (!is_isotropic(material.brdf)) throw InputError(material.name + ": is anisotropic, which is not taken here");
+}
+
+}  // namespace example

@@ -112,8 +112,8 @@ def mean_square(picture, other):
 
 
 def by_sets(renderer, plan, scene="bumped-area"):
-    """Error of the display values against the number of sets, each of as many samples, beside many more sets. Of those
-    two seeds, whose difference is the error of either, times the root of 2."""
+    """Error of the display values against the number of sets, each of as many samples, beside many more sets: the mean
+    of two seeds, whose difference is twice the mean's own error. Of the squares that is taken off."""
     size, samples, most = plan["sets_size"], plan["sets_samples"], plan["reference_pattern"]
     folder = renderer.scratch / "sets"
 
@@ -121,14 +121,15 @@ def by_sets(renderer, plan, scene="bumped-area"):
         renderer.run(scene, size, pattern, samples, "--compare", folder, "--seed", seed)
         return {name: read(folder / f"{name}.png") for name in AVERAGED}
 
-    exact, again = (pictures(most, seed)["reference"] for seed in (1000, 2000))
-    yield row("sets_reference", scene, size, most, samples, "reference", rmse=math.sqrt(mean_square(exact, again) / 2))
+    one, other = (pictures(most, seed)["reference"] for seed in (1000, 2000))
+    exact, own = (one + other) / 2, mean_square(one, other) / 4
+    yield row("sets_reference", scene, size, most, samples, "reference", seeds=2, rmse=math.sqrt(own))
     for side in plan["sides"]:
         pattern, seeds = f"{side}x{side}", plan["seeds"]
         squares = [{name: mean_square(picture, exact) for name, picture in pictures(pattern, seed).items()}
                    for seed in range(1, seeds + 1)]
         for name in AVERAGED:
-            rmse = math.sqrt(sum(square[name] for square in squares) / seeds)
+            rmse = math.sqrt(max(sum(square[name] for square in squares) / seeds - own, 0.0))
             yield row("sets", scene, size, pattern, samples, name, seeds=seeds, rmse=rmse)
 
 

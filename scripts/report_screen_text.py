@@ -63,10 +63,10 @@ def memory_text(rows):
 def doubt_text(reference, rows):
     """What the slopes are worth, by the reference's own error."""
     least = min(row["rmse"] for row in rows)
-    if reference["rmse"] <= 0.3 * least:
+    if reference["rmse"] <= least:
         return ""
-    return (f" **These slopes are not decided**: the least error here is {least:.4f}, and what it is compared with is "
-            "itself that uncertain; it differs from seed to seed by more than so many samples should.")
+    return (f" **These slopes are not decided**: the least error here is {least:.4f}, less than that of what it is "
+            "compared with.")
 
 
 def sets_text(folder):
@@ -76,9 +76,9 @@ def sets_text(folder):
     ends = [f"{line[0][1]:.4f} to {line[-1][1]:.4f} ({name})" for name, line in lines.items()]
     return (f"The scene is: {SCREEN_SCENE[reference['scene']]}, {reference['width']:.0f} x {reference['height']:.0f}; "
             f"{reference['samples']:.0f} samples in each set, over {rows[0]['seeds']:.0f} seeds. It is compared with "
-            f"{reference['sets']:.0f} sets of another seed, all at every pixel, whose own RMSE is "
-            f"{reference['rmse']:.4f}; by PNG files. Slope of the error in the number of sets, log-log: "
-            f"{listed(slopes)}. From {rows[0]['sets']:.0f} to {rows[-1]['sets']:.0f} sets the "
+            f"the mean of {reference['seeds']:.0f} other seeds, each of {reference['sets']:.0f} sets, all at every pixel; "
+            f"its own RMSE, {reference['rmse']:.4f}, is taken off, in squares. By PNG files. Slope of the error in the "
+            f"number of sets, log-log: {listed(slopes)}. From {rows[0]['sets']:.0f} to {rows[-1]['sets']:.0f} sets the "
             f"error goes from {listed(ends)}. All sets at every pixel show what sampling "
             "alone does; more sets also widen the filter, which blurs." + doubt_text(reference, rows))
 

@@ -1,13 +1,8 @@
 #!/usr/bin/env bash
 # check_screen.sh SCRIPTS [IGI_RENDER]: quick renders become data, plots, pictures and a page; and a panel without rows is
 # an error.
-set -euo pipefail
-
-[ -n "${2-}" ] || { echo "skipped: igi-render is not part of this build"; exit 0; }
-python=/usr/bin/python3
-"$python" -c 'import matplotlib' 2>/dev/null || { echo "skipped: matplotlib of /usr/bin/python3 is not installed (Debian: python3-matplotlib)"; exit 0; }
-folder="$(mktemp -d)"
-trap 'rm -rf "$folder"' EXIT
+source "$(dirname "${BASH_SOURCE[0]}")/check_renders.sh"
+begin igi-render "${2-}"
 
 "$python" "$1/report_screen.py" "$2" "$folder" --quick 2> "$folder/warnings" || { cat "$folder/warnings"; exit 1; }
 "$python" "$1/report.py" plot "$folder"
@@ -19,11 +14,8 @@ awk -F, '
   !($at["rmse"] > 0 && $at["rmse"] < 0.6) { fail("error") }
   $1 == "sweep" && $at["filter"] != "bands alone" && !($at["light_s"] > 0 && $at["bytes"] >= 24) { fail("time or memory") }
   END { if (lines["sweep"] != 35 || lines["sets"] != 10) fail("lines"); exit bad }' "$folder/screen.csv"
-grep -oE '\((pictures/)?screen[^)]*(svg|png)\)' "$folder/README.md" | tr -d '()' > "$folder/shown"
+shown '(pictures/)?screen[^)]*(svg|png)' > "$folder/shown"
 [ "$(wc -l < "$folder/shown")" = 5 ] || { echo "not five plots and pictures"; exit 1; }
-while read -r picture; do
-  [ -s "$folder/$picture" ] || { echo "no $picture"; exit 1; }
-done < "$folder/shown"
 
 sed -i '/^sweep,probe,/s/4x4/2x2/' "$folder/screen.csv"  # no panel has both of these
 if "$python" "$1/report.py" plot "$folder" 2> "$folder/error" || ! grep -q "no rows to draw" "$folder/error"; then

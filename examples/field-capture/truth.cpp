@@ -81,7 +81,7 @@ std::string truth_csv(const IncidentRadiance& light, const std::vector<glm::vec3
     const glm::vec3& p = places[place];
     text += zonal::shortest_text(p.x) + "," + zonal::shortest_text(p.y) + "," + zonal::shortest_text(p.z);
     for (int i = 0; i < bands * bands; ++i) {
-      for (int c = 0; c < 3; ++c) text += "," + zonal::shortest_text(static_cast<float>(truth[i][c]));
+      for (int c = 0; c < 3; ++c) text.append(",").append(zonal::shortest_text(static_cast<float>(truth[i][c])));
     }
     text += "\n";
     progress.advance("positions", 1.0);

@@ -43,10 +43,10 @@ std::optional<glm::vec3> matte_albedo(const zonal::Brdf& body) {
 
 template <int N>
 glm::vec3 by_table(const zonal::Sh<N, glm::vec3>& radiance, const Hit& hit, const glm::vec3& outgoing,
-                   const SplitMaterial& material, int bands) {
-  return with_number<1, N>(bands, [&](auto n) {
+                   const SplitMaterial& material, const GlossShading& shading) {
+  return with_number<1, N>(shading.bands, [&](auto n) {
     constexpr int used = decltype(n)::value;
-    const auto row = material.row<used>(hit.colour, glm::dot(hit.normal, outgoing));
+    const auto row = material.row<used>(hit.colour, glm::dot(hit.normal, outgoing), shading.window);
     return zonal::reflected_radiance(zonal::in_shading_frame(zonal::with_bands<used>(radiance), hit.normal, outgoing),
                                      row);
   });
@@ -63,10 +63,10 @@ class GridLightOf final : public GridLight {
   int bands() const override { return N; }
 
   glm::vec3 reflected(const Hit& hit, const glm::vec3& outgoing, const SplitMaterial& material,
-                      int bands) const override {
+                      const GlossShading& shading) const override {
     const auto radiance = zonal::interpolate<method>(grid_, hit.position);
     const std::optional<glm::vec3> albedo = matte_albedo(material.body);
-    if (!albedo || !material.gloss.lobes.empty()) return by_table(radiance, hit, outgoing, material, bands);
+    if (!albedo || !material.rest.lobes.empty()) return by_table(radiance, hit, outgoing, material, shading);
     const glm::vec3 over_pi =
         zonal::reconstruct_convolved(zonal::with_bands<3>(radiance), zonal::LambertLobe{}, hit.normal);
     return *albedo * hit.colour * glm::max(over_pi, glm::vec3(0.0f));

@@ -5,12 +5,19 @@
 
 #include <glm/glm.hpp>
 #include <zonal/grid/interpolation_weights.hpp>
+#include <zonal/transform/window.hpp>
 
 #include "shared/ray_caster.hpp"
 #include "shared/scene.hpp"
 #include "shared/split_material.hpp"
 
 namespace example::field_render {
+
+/// Of what is not matte: as many bands as the grid has too, and the window of its gloss.
+struct GlossShading {
+  int bands = 5;
+  zonal::Window window = zonal::Window::none;
+};
 
 /// The light of a coefficient grid. Safe to use from many threads.
 class GridLight {
@@ -25,9 +32,9 @@ class GridLight {
   virtual int bands() const = 0;
 
   /// Radiance that leaves `hit` towards the unit direction `outgoing`, not below 0: of matte surfaces by three bands in
-  /// closed form, of others by `bands` of their material's table.
+  /// closed form, of others by as many as `shading` says of their material's table.
   virtual glm::vec3 reflected(const Hit& hit, const glm::vec3& outgoing, const SplitMaterial& material,
-                              int bands) const = 0;
+                              const GlossShading& shading) const = 0;
 };
 
 /// A grid of 3 to 6 bands, with gradients or without. Throws InputError.

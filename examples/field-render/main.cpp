@@ -51,10 +51,10 @@ struct Pictures {
   }
 };
 
-Layer grid_layer(const Scene& things, const GridLight& light, const std::vector<SplitMaterial>& materials, int bands,
-                 Image& picture) {
-  return layer("grid", 0.3, picture, [&, bands](const Hit& hit, std::size_t) {
-    return light.reflected(hit, towards_camera(things, hit), materials[hit.material], std::min(bands, light.bands()));
+Layer grid_layer(const Scene& things, const GridLight& light, const std::vector<SplitMaterial>& materials,
+                 const GlossShading& shading, Image& picture) {
+  return layer("grid", 0.3, picture, [&, shading](const Hit& hit, std::size_t) {
+    return light.reflected(hit, towards_camera(things, hit), materials[hit.material], shading);
   });
 }
 
@@ -107,7 +107,7 @@ void run(const Options& options) {
       for (const Material& material : things.materials) materials.emplace_back(material);
     });
     pictures.grid.emplace(options.width, options.height);
-    layers.push_back(grid_layer(things, *grid, materials, options.bands, *pictures.grid));
+    layers.push_back(grid_layer(things, *grid, materials, {options.bands, options.window}, *pictures.grid));
   }
   if (surroundings) {
     pictures.reference.emplace(options.width, options.height);

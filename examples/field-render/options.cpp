@@ -36,6 +36,7 @@ void add_field_options(CLI::App& app, Options& options) {
   add_number(app, "--bands", options.bands, 1, 6, "1...6",
              "Bands of glossy surfaces, as far as the grid has them; matte ones have three")
       ->group(group);
+  add_choice(app, "--window", window_names, options.window, "What tames the ringing of gloss")->group(group);
 }
 
 void add_reference_options(CLI::App& app, Options& options) {

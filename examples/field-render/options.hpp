@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <zonal/grid/interpolation_weights.hpp>
+#include <zonal/transform/window.hpp>
 
 #include "shared/common_options.hpp"
 #include "shared/field_setup.hpp"
@@ -21,6 +22,7 @@ struct Options : CommonOptions {
   std::vector<MaterialChange> materials;
   zonal::Interpolation interpolation = zonal::Interpolation::trilinear;
   int bands = 5;  // of what is not matte; matte surfaces have three
+  zonal::Window window = zonal::Window::none;
 
   std::optional<FieldSetup> reference;
   std::optional<Bounds> box;  // that the lamps are placed about

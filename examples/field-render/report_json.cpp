@@ -15,6 +15,7 @@ std::string json_text(const Report& report) {
                  {"materials", materials},
                  {"interpolation", name_of(interpolation_names, options.interpolation)},
                  {"bands", options.bands},
+                 {"window", name_of(window_names, options.window)},
                  {"reference", options.reference ? name_of(field_setup_names, *options.reference) : ""},
                  {"samples", options.samples},
                  {"bounces", options.bounces},

@@ -182,10 +182,7 @@ zonal::MaterialTable project(const Material& material, std::optional<std::uint64
 
 /// The body's tables are there for HVL.
 MaterialParts split(const Material& material, int bands, const Options& options) {
-  MaterialParts parts;
-  for (const zonal::BrdfLobe& lobe : material.brdf.lobes) {
-    (is_diffuse(lobe) ? parts.body : parts.rest).lobes.push_back(lobe);
-  }
+  MaterialParts parts{body_and_rest(material.brdf), {}, {}};
   if (options.method != Method::hvl) return parts;
   const zonal::MaterialTable table = project({material.name, parts.body}, std::nullopt, bands, options);
   parts.receiving = table.windowed(options.window, options.bands);

@@ -11,6 +11,7 @@
 #include <zonal/material/zonal_table.hpp>
 
 #include "options.hpp"
+#include "shared/materials.hpp"
 #include "shared/ray_caster.hpp"
 #include "shared/scene.hpp"
 
@@ -18,8 +19,7 @@ namespace example::hvl_render {
 
 /// A material with a texture of colours or a relief: its body and the rest apart, since what it reflects is rest +
 /// colour body. The tables are for HVL.
-struct MaterialParts {
-  zonal::Brdf rest, body;
+struct MaterialParts : BodyAndRest {
   std::optional<zonal::MaterialTable> receiving, emitting;  // of the body, where the texture is white
 };
 

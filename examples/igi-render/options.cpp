@@ -36,6 +36,8 @@ void add_filter_options(CLI::App& app, Options& options) {
       ->default_str("4x4")
       ->group(group);
   add_one_of(app, "--bands", options.bands, shaded_bands(), "Bands of the incident radiance")->group(group);
+  add_choice(app, "--window", window_names, options.window, "What tames the ringing of these bands on what is glossy")
+      ->group(group);
   app.add_flag("--half", options.half, "Keep what is filtered in 16 bits")->group(group);
   add_number(app, "--normal-angle-cosine", options.tests.cos_normal, -1.0f, 1.0f, "-1...1",
              "Least cosine between the geometric normals of one surface; -1 lets all pass")

@@ -5,6 +5,7 @@
 
 #include <zonal/screen/pattern.hpp>
 #include <zonal/screen/surface.hpp>
+#include <zonal/transform/window.hpp>
 
 #include "shared/common_options.hpp"
 
@@ -35,6 +36,7 @@ struct Options : CommonOptions {
 
   Filter filter = Filter::radiance;
   int bands = 3;
+  zonal::Window window = zonal::Window::none;  // of radiance, where gloss is shaded
   bool half = false;
   zonal::InterleavedPattern pattern{4, 4};
   zonal::SurfaceTests tests;

@@ -11,6 +11,7 @@ nlohmann::json options_json(const Options& options) {
                {"filter", options.comparing() ? "all" : name_of(filter_names, options.filter)},
                {"pattern", {options.pattern.columns, options.pattern.rows}},
                {"bands", options.bands},
+               {"window", name_of(window_names, options.window)},
                {"bits", options.half ? 16 : 32},
                {"cos_normal", options.tests.cos_normal},
                {"plane_distance", options.tests.plane_distance},

@@ -7,6 +7,7 @@
 
 #include "light_sets.hpp"
 #include "options.hpp"
+#include "shared/materials.hpp"
 #include "shared/primary_hits.hpp"
 #include "shared/progress.hpp"
 #include "shared/ray_caster.hpp"

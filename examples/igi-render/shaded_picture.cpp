@@ -1,5 +1,6 @@
 #include "shaded_picture.hpp"
 
+#include <array>
 #include <chrono>
 
 #include <tbb/parallel_for.h>
@@ -7,6 +8,7 @@
 #include <zonal/screen/filter.hpp>
 #include <zonal/screen/moments.hpp>
 #include <zonal/screen/shade.hpp>
+#include <zonal/transform/window.hpp>
 
 #include "option_names.hpp"
 #include "shared/frame.hpp"
@@ -23,14 +25,15 @@ double seconds_of(const auto& work) {
 }
 
 template <int N>
-glm::vec3 shade(const ScreenScene& screen, const Hit& hit, const zonal::Sh<N, glm::vec3>& radiance) {
+glm::vec3 shade(const ScreenScene& screen, const Hit& hit, const zonal::Sh<N, glm::vec3>& radiance,
+                zonal::Window window = zonal::Window::none) {
   const glm::vec3 outgoing = towards_camera(screen.scene, hit);
-  const auto row = screen.materials[hit.material].row<N>(hit.colour, glm::dot(hit.normal, outgoing));
+  const auto row = screen.materials[hit.material].row<N>(hit.colour, glm::dot(hit.normal, outgoing), window);
   return zonal::reflected_radiance(zonal::in_shading_frame(radiance, hit.normal, outgoing), row);
 }
 
 /// What the light that arrives makes of a hit's material, by the material itself: of its body, white where it has a
-/// texture, and of its gloss.
+/// texture, and of the rest.
 class ReflectedSum {
  public:
   ReflectedSum(const ScreenScene& screen, const Hit& hit)
@@ -48,7 +51,7 @@ class ReflectedSum {
     };
     const glm::vec<3, Lanes> incoming(along(axes_[0]), along(axes_[1]), along(axes_[2]));
     const Lanes cosine = maximum(incoming.z, Lanes(0));
-    const zonal::Brdf* const parts[] = {&material_.body, &material_.gloss};
+    const zonal::Brdf* const parts[] = {&material_.body, &material_.rest};
     for (int part = 0; part < 2; ++part) {
       if (parts[part]->lobes.empty()) continue;
       const glm::vec<3, Lanes> f = zonal::evaluate(*parts[part], incoming, glm::vec<3, Lanes>(outgoing_));
@@ -56,7 +59,7 @@ class ReflectedSum {
     }
   }
   glm::vec3 body() const { return total(0); }
-  glm::vec3 gloss() const { return total(1); }
+  glm::vec3 rest() const { return total(1); }
 
  private:
   glm::vec3 total(int part) const { return {sums_[part][0].sum(), sums_[part][1].sum(), sums_[part][2].sum()}; }
@@ -67,49 +70,60 @@ class ReflectedSum {
   Lanes sums_[2][3];
 };
 
-// ---- What is filtered: numbers of a position, summed over lights, and how they are shaded ---------------------------
+// ---- What is filtered: a value of a position, made of sums over lights, kept in a picture, and how it is shaded
+// ------
 
 template <int N>
 struct Coefficients {
-  static constexpr int numbers = 3 * N * N;
+  template <class Element>
+  using Picture = zonal::RadiancePicture<N, Element>;
   static zonal::RadianceSum<N> sum(const ScreenScene&, const Hit&) { return {}; }
-  static void store(const zonal::RadianceSum<N>& sum, float* target) {
-    for (const glm::vec3& c : sum.radiance()) {
-      for (int i = 0; i < 3; ++i) *target++ = c[i];
-    }
+  static zonal::Sh<N, glm::vec3> value(const zonal::RadianceSum<N>& sum) { return sum.radiance(); }
+  static glm::vec3 shaded(const ScreenScene& screen, const Hit& hit, const zonal::Sh<N, glm::vec3>& radiance) {
+    return shade(screen, hit, radiance, screen.options.window);
   }
-  static glm::vec3 shaded(const ScreenScene& screen, const Hit& hit, const float* source) {
-    zonal::Sh<N, glm::vec3> radiance;
-    for (glm::vec3& c : radiance) {
-      for (int i = 0; i < 3; ++i) c[i] = *source++;
-    }
-    return shade(screen, hit, radiance);
+};
+
+using Pair = std::array<glm::vec3, 2>;
+
+/// Six numbers at each position.
+template <class Element>
+class PairPicture : public zonal::PlanePicture<Element> {
+ public:
+  PairPicture(int width, int height) : zonal::PlanePicture<Element>(width, height, 6) {}
+
+  Pair at(int x, int y) const {
+    Pair pair;
+    for (int i = 0; i < 6; ++i) pair[std::size_t(i / 3)][i % 3] = this->get(x, y, i);
+    return pair;
+  }
+  void set_at(int x, int y, const Pair& pair) {
+    for (int i = 0; i < 6; ++i) this->set(x, y, i, pair[std::size_t(i / 3)][i % 3]);
   }
 };
 
 struct Reflected {
-  static constexpr int numbers = 6;
+  template <class Element>
+  using Picture = PairPicture<Element>;
   static ReflectedSum sum(const ScreenScene& screen, const Hit& hit) { return {screen, hit}; }
-  static void store(const ReflectedSum& sum, float* target) {
-    const glm::vec3 parts[] = {sum.body(), sum.gloss()};
-    for (int i = 0; i < numbers; ++i) target[i] = parts[i / 3][i % 3];
-  }
-  static glm::vec3 shaded(const ScreenScene&, const Hit& hit, const float* source) {
-    return hit.colour * glm::vec3(source[0], source[1], source[2]) + glm::vec3(source[3], source[4], source[5]);
+  static Pair value(const ReflectedSum& sum) { return {sum.body(), sum.rest()}; }
+  static glm::vec3 shaded(const ScreenScene&, const Hit& hit, const Pair& light) {
+    return hit.colour * light[0] + light[1];
   }
 };
 
 template <bool as_gaussian>
 struct Moments {
-  static constexpr int numbers = 6;
+  template <class Element>
+  using Picture = PairPicture<Element>;
   static constexpr int gaussian_bands = 9;
   static zonal::MomentSum sum(const ScreenScene&, const Hit&) { return {}; }
-  static void store(const zonal::MomentSum& sum, float* target) {
+  static Pair value(const zonal::MomentSum& sum) {
     const zonal::RadianceMoments moments = sum.moments();
-    for (int i = 0; i < 3; ++i) target[i] = moments.total[i], target[3 + i] = moments.vector[i];
+    return {moments.total, moments.vector};
   }
-  static glm::vec3 shaded(const ScreenScene& screen, const Hit& hit, const float* source) {
-    const zonal::RadianceMoments moments{{source[0], source[1], source[2]}, {source[3], source[4], source[5]}};
+  static glm::vec3 shaded(const ScreenScene& screen, const Hit& hit, const Pair& light) {
+    const zonal::RadianceMoments moments{light[0], light[1]};
     if constexpr (as_gaussian) return shade(screen, hit, moments.as_gaussian<gaussian_bands>());
     if constexpr (!as_gaussian) return shade(screen, hit, moments.as_first_degree());
   }
@@ -159,18 +173,16 @@ template <class Quantity, class Element>
 Pass pass_of(const ScreenScene& screen, Filter filter, Progress& progress) {
   Pass pass{name_of(filter_names, filter)};
   const double cost = pass_cost(screen) / static_cast<double>(screen.hits.pixel_count());
-  zonal::PlanePicture<Element> numbers(screen.width, screen.height, Quantity::numbers);
-  pass.numbers = Quantity::numbers;
-  pass.bytes = numbers.bytes();
+  typename Quantity::template Picture<Element> values(screen.width, screen.height);
+  pass.numbers = values.planes();
+  pass.bytes = values.bytes();
   pass.light_seconds = seconds_of([&] {
     for_each_position(screen, {progress, pass.name.c_str(), cost}, [&](int x, int y) {
       const std::optional<Hit>& hit = screen.hit_at(x, y);
       if (!hit) return;
       auto sum = Quantity::sum(screen, *hit);
       sum_light(screen, *hit, screen.sets[static_cast<std::size_t>(screen.options.pattern.set_of(x, y))], sum);
-      float values[Quantity::numbers];
-      Quantity::store(sum, values);
-      for (int i = 0; i < Quantity::numbers; ++i) numbers.set(x, y, i, values[i]);
+      values.set_at(x, y, Quantity::value(sum));
     });
   });
   if (filter != Filter::none) {
@@ -178,15 +190,13 @@ Pass pass_of(const ScreenScene& screen, Filter filter, Progress& progress) {
     const zonal::SurfacePicture as_shaded =
         strict ? make_surfaces(screen.hits, screen.width, screen.height, true) : zonal::SurfacePicture();
     pass.filter_seconds = seconds_of([&] {
-      zonal::filter(numbers, strict ? as_shaded : screen.surfaces, screen.options.pattern, screen.options.tests,
+      zonal::filter(values, strict ? as_shaded : screen.surfaces, screen.options.pattern, screen.options.tests,
                     [](int count, const auto& body) { tbb::parallel_for(0, count, body); });
     });
   }
   pass.shading_seconds = seconds_of([&] {
     pass.picture = make_picture(screen, {progress, pass.name.c_str(), 0.0}, [&](int x, int y, const Hit& hit) {
-      float values[Quantity::numbers];
-      for (int i = 0; i < Quantity::numbers; ++i) values[i] = numbers.get(x, y, i);
-      return Quantity::shaded(screen, hit, values);
+      return Quantity::shaded(screen, hit, values.at(x, y));
     });
   });
   return pass;
@@ -228,8 +238,8 @@ Reference reference_of(const ScreenScene& screen, Progress& progress) {
         coefficients(arrival);
       };
       for (const zonal::LightSet& set : screen.sets) sum_light(screen, hit, set, both);
-      truncated[index(x, y)] = shade(screen, hit, coefficients.radiance() * share);
-      return (hit.colour * exact.body() + exact.gloss()) * share;
+      truncated[index(x, y)] = shade(screen, hit, coefficients.radiance() * share, screen.options.window);
+      return (hit.colour * exact.body() + exact.rest()) * share;
     });
   });
   reference.truncated.picture = make_picture(screen, {progress, "reference", 0.0},

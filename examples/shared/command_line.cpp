@@ -34,22 +34,18 @@ std::string version(const std::string& program) {
          std::to_string(zonal::version_patch);
 }
 
-/// x,y,z:x,y,z
+/// x,y,z,x,y,z
 bool parse_box(const std::string& text, Bounds& box) {
-  const std::size_t colon = text.find(':');
-  std::array<float, 3> low{}, high{};
-  if (colon == std::string::npos || !parse_numbers(text.substr(0, colon), ',', low) ||
-      !parse_numbers(text.substr(colon + 1), ',', high)) {
-    return false;
-  }
-  box = {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
+  std::array<float, 6> n{};
+  if (!parse_numbers(text, ',', n)) return false;
+  box = {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
   return true;
 }
 
 CLI::Validator box_corners() {
   return validator([](const std::string& text) -> std::string {
     Bounds ignored;
-    return parse_box(text, ignored) ? "" : "'" + text + "' is not a box such as -0.5,1,2:0.5,2,3";
+    return parse_box(text, ignored) ? "" : "'" + text + "' is not a box such as -0.5,1,2,0.5,2,3";
   });
 }
 
@@ -112,7 +108,7 @@ CLI::Option* add_box_option(CLI::App& app, std::optional<Bounds>& box) {
           "--box", set,
           "Low and high corner, in metres, of the volume that probes stand in and lamps are placed about; without it, "
           "a cube near the middle of the scene")
-      ->type_name("X,Y,Z:X,Y,Z")
+      ->type_name("X,Y,Z,X,Y,Z")
       ->check(box_corners());
 }
 

@@ -16,4 +16,10 @@ using zonal::plastic;
 /// body has that light already: it reflects of all that the coat leaves.
 zonal::Brdf with_multiple_scattering(const zonal::Brdf& brdf);
 
+/// A material in two: its body, the lobes of is_diffuse, which a texture colours, and the rest.
+struct BodyAndRest {
+  zonal::Brdf body, rest;
+};
+BodyAndRest body_and_rest(const zonal::Brdf& brdf);
+
 }  // namespace example

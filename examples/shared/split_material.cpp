@@ -9,14 +9,6 @@ namespace {
 
 constexpr double table_tolerance = 1e-4;
 
-zonal::Brdf part_of(const zonal::Brdf& brdf, bool body) {
-  zonal::Brdf part;
-  for (const zonal::BrdfLobe& lobe : brdf.lobes) {
-    if (zonal::is_diffuse(lobe) == body) part.lobes.push_back(lobe);
-  }
-  return part;
-}
-
 zonal::MaterialTable table_of(const zonal::Brdf& part) {
   const auto for_each = [](int count, const auto& body) { tbb::parallel_for(0, count, body); };
   return zonal::project_material(part, zonal::MaterialTable::max_bands, table_tolerance, for_each);
@@ -25,10 +17,7 @@ zonal::MaterialTable table_of(const zonal::Brdf& part) {
 }  // namespace
 
 SplitMaterial::SplitMaterial(const Material& material)
-    : body(part_of(material.brdf, true)),
-      gloss(part_of(material.brdf, false)),
-      body_table(table_of(body)),
-      gloss_table(table_of(gloss)) {
+    : BodyAndRest(body_and_rest(material.brdf)), body_table(table_of(body)), rest_table(table_of(rest)) {
   if (!is_isotropic(material.brdf)) throw InputError(material.name + ": is anisotropic, which is not taken here");
 }
 

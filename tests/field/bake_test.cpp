@@ -1,5 +1,6 @@
 // Bakes through files: the same bits, however often they are stopped; damage is found.
 #include <zonal/field/bake.hpp>
+#include <zonal/field/resample_reference.hpp>
 
 #include <cstring>
 #include <random>
@@ -13,7 +14,8 @@ namespace {
 using namespace field_test;
 using file_test::Folder;
 using Grid = zonal::CoefficientGrid<3>;
-using Bake = zonal::FieldBake<3, zonal::GridContent::values_and_gradients>;
+using Sums = zonal::FieldSums<3, zonal::GridContent::values_and_gradients>;
+using Bake = zonal::FieldBake<Sums>;
 
 const glm::quat no_turn(1, 0, 0, 0);
 constexpr int picture_size = 20;
@@ -62,8 +64,7 @@ struct Capture {
   }
   Grid in_memory() const {
     Grid result = grid;
-    REQUIRE(resample<zonal::FieldSums<3, zonal::GridContent::values_and_gradients>>(result, buckets, samples, places,
-                                                                                    0.05F));
+    REQUIRE(resample<Sums>(result, buckets, samples, places, 0.05F));
     return result;
   }
 };
@@ -110,6 +111,24 @@ TEST_CASE("through files the field has the bits that it has in memory, however o
     }
     REQUIRE(is_same(result, expected));
   }
+}
+
+TEST_CASE("the paper's steps go on as well") {
+  using SlowSums = zonal::ReferenceFieldSums<3>;
+  const Capture capture;
+  const SlowSums::Grid grid(glm::vec3(0), glm::vec3(1), glm::ivec3(4));
+  SlowSums::Grid expected = grid, result = grid;
+  REQUIRE(resample<SlowSums>(expected, capture.buckets, capture.samples, capture.places, 0.05F));
+  const auto folder = capture.bake_folder();
+  capture.sort(folder);
+  for (bool is_done = false; !is_done;) {
+    zonal::FieldBake<SlowSums> bake(folder, capture.sequence, capture.buckets, grid, {});
+    bake.step();
+    bake.save();
+    is_done = bake.done() == bake.count();
+    if (is_done) REQUIRE(bake.sums().finish(result));
+  }
+  REQUIRE(std::memcmp(result.data(), expected.data(), result.size() * sizeof(float)) == 0);
 }
 
 TEST_CASE("shares of a bake add up to it") {
@@ -161,7 +180,7 @@ TEST_CASE("what the folder holds of another bake is not taken") {
     REQUIRE(Bake(folder, capture.sequence, capture.buckets, capture.grid, {}, {0, 2}).done() == 0);
     const Grid other(glm::vec3(0), glm::vec3(1), glm::ivec3(5, 3, 4));
     REQUIRE(Bake(folder, capture.sequence, capture.buckets, other, {}).done() == 0);
-    zonal::FieldBake<4> bands(
+    zonal::FieldBake<zonal::FieldSums<4>> bands(
         folder, capture.sequence, capture.buckets,
         zonal::CoefficientGrid<4, zonal::GridContent::values>(glm::vec3(0), glm::vec3(1), glm::ivec3(5, 4, 3)), {});
     REQUIRE(bands.done() == 0);

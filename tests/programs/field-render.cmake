@@ -17,7 +17,7 @@ refused("two modes" "--compare excludes --out" --compare out --out x.png)
 refused("unknown material" "--material: the scene has no 'gold', but table, ball, knot, vase" --material gold=matte:1,1,1)
 refused("unknown spec" "--material: 'chalk' is none of .*" --material table=chalk)
 refused("box inside out" "--box: the low corner must be below the high one on every axis" --reference spots
-  --box 1,1,1:0,2,2)
+  --box 1,1,1,0,2,2)
 
 # ---- Files ----------------------------------------------------------------------------------------------------------
 

@@ -66,7 +66,7 @@ TEST_CASE("light that is the same all around: matte surfaces send out their albe
   const auto check = [&](const auto& grid, zonal::Interpolation interpolation) {
     const GridFile file(grid);
     const auto light = load_grid_light(file.path, interpolation);
-    check_close(light->reflected(hit_at({0.3f, 0.2f, 0.9f}), outgoing, matte, 5), albedo * radiance, 1e-5f);
+    check_close(light->reflected(hit_at({0.3f, 0.2f, 0.9f}), outgoing, matte, {}), albedo * radiance, 1e-5f);
   };
   using zonal::GridContent;
   using zonal::Interpolation;
@@ -151,7 +151,7 @@ TEST_CASE("a lamp's own coefficients in the grid and paths from the thing to it 
     const SplitMaterial material({name, brdf});
     for (const glm::vec3& place : {glm::vec3(0.5f), glm::vec3(0.13f, 0.81f, 0.37f)}) {
       CAPTURE(name, place.x);
-      check_close(light->reflected(hit_at(place), eye, material, N),
+      check_close(light->reflected(hit_at(place), eye, material, {N}),
                   true_radiance(paths, brdf, hit_at(place), eye, 256, 3), bound);
     }
   }

@@ -16,6 +16,7 @@ refused("pattern larger than the picture" "--pattern: a pattern of 16x16 sets, l
 foreach(bands 0 1 6 abc)
   refused("bands ${bands}" "--bands: '${bands}' is not one of 2.3.4.5" --bands ${bands})
 endforeach()
+refused("unknown window" "--window: 'cosine' is not one of none.hann.sinc" --window cosine)
 foreach(sets 0 -1 4097 many)
   refused("sets ${sets}" "--sets: '${sets}' is not in 1...4096" --sets ${sets})
 endforeach()

@@ -258,8 +258,8 @@ TEST_CASE("on the bumped scene radiance is filtered better than reflected light,
   options.width = 320;
   options.height = 256;
   const Run run(scene, options);
-  // As it is seen: in linear light few pixels, each beside a virtual light, outweigh all others, and the ratio of errors
-  // is anything from 0.6 to 1.2, as the seed has it.
+  // As it is seen: in linear light few pixels, each beside a virtual light, outweigh all others, and the ratio of
+  // errors is anything from 0.6 to 1.2, as the seed has it.
   const auto seen = [&](Filter filter) {
     return compare(run.of(filter), run.reference.exact.picture, options.display).rmse;
   };
@@ -272,6 +272,24 @@ TEST_CASE("on the bumped scene radiance is filtered better than reflected light,
   const auto light = [&](Filter filter) { return difference(run.of(filter), run.reference.exact.picture); };
   CAPTURE(light(Filter::irradiance), light(Filter::none));
   CHECK(light(Filter::irradiance) < 0.5 * light(Filter::none));
+}
+
+TEST_CASE("a window takes ringing off gloss, and leaves what is matte as it is") {
+  for (const AtriumFinish finish : {AtriumFinish::bumped_glossy, AtriumFinish::bumped}) {
+    const Scene scene = make_atrium(finish);
+    Options options = options_of(Lighting::area, 8, 1);
+    options.width = 160;
+    options.height = 128;
+    const auto error = [&](zonal::Window window) {
+      options.window = window;
+      const Run run(scene, options);
+      return compare(run.of(Filter::radiance), run.reference.exact.picture, options.display).rmse;
+    };
+    const double without = error(zonal::Window::none), sinc = error(zonal::Window::sinc);
+    CAPTURE(without, sinc);
+    if (finish == AtriumFinish::bumped_glossy) CHECK(sinc < 0.92 * without);
+    if (finish == AtriumFinish::bumped) CHECK(sinc == without);
+  }
 }
 
 TEST_CASE("sixteen bits change next to nothing") {

@@ -43,6 +43,7 @@ class Fingerprint {
     for (const char c : text) add(static_cast<int>(c));
     return add(text.size());
   }
+  Fingerprint& add(const char* text) { return add(std::string(text)); }
   Fingerprint& add(const glm::vec3& v) { return add(v.x).add(v.y).add(v.z); }
   Fingerprint& add(const glm::quat& q) { return add(q.w).add(q.x).add(q.y).add(q.z); }
   std::uint64_t value() const { return words_.checksum(); }
@@ -54,6 +55,24 @@ class Fingerprint {
 inline constexpr FileFormat sums_file_format{"ZONALSUM", 1, 36, "file of sums"};
 
 }  // namespace detail
+
+/// What the samples of a sequence depend on, as one number: positions, and which file each picture is, how large and of
+/// when. Throws FileError where one is not there.
+inline std::uint64_t fingerprint(const ProbeSequence& sequence, const DirectionBuckets& buckets) {
+  std::error_code error;
+  detail::Fingerprint print;
+  print.add(sequence.sphere_radius).add(sequence.dead_angle).add(int(sequence.dead_angle_is));
+  print.add(int(buckets.mapping())).add(buckets.width()).add(buckets.height()).add(buckets.orientation());
+  for (const SequenceProbe& probe : sequence.probes) {
+    const auto size = std::filesystem::file_size(probe.picture, error);
+    const auto time =
+        error ? std::filesystem::file_time_type{} : std::filesystem::last_write_time(probe.picture, error);
+    if (error) throw FileError(probe.picture, "cannot be read (" + error.message() + ")");
+    print.add(probe.picture.string()).add(size).add(static_cast<std::int64_t>(time.time_since_epoch().count()));
+    print.add(probe.position).add(sequence.orientation_of(probe));
+  }
+  return print.value();
+}
 
 /// The folder of a bake, and which of the sequence's samples stand in which file.
 class BakeFolder {
@@ -67,18 +86,7 @@ class BakeFolder {
     std::filesystem::create_directories(folder, error);
     if (error) throw FileError(folder, "cannot be made (" + error.message() + ")");
     per_file_ = (std::max)(memory / (buckets_ * sizeof(RadianceSample)), std::size_t{1});
-    detail::Fingerprint print;
-    print.add(sequence.sphere_radius).add(sequence.dead_angle).add(int(sequence.dead_angle_is));
-    print.add(int(buckets.mapping())).add(buckets.width()).add(buckets.height()).add(buckets.orientation());
-    for (const SequenceProbe& probe : sequence.probes) {
-      const auto size = std::filesystem::file_size(probe.picture, error);
-      const auto time =
-          error ? std::filesystem::file_time_type{} : std::filesystem::last_write_time(probe.picture, error);
-      if (error) throw FileError(probe.picture, "cannot be read (" + error.message() + ")");
-      print.add(probe.picture.string()).add(size).add(static_cast<std::int64_t>(time.time_since_epoch().count()));
-      print.add(probe.position).add(sequence.orientation_of(probe));
-    }
-    fingerprint_ = print.value();
+    fingerprint_ = zonal::fingerprint(sequence, buckets);
   }
 
   /// Removes what processes that were killed left half written. No other may be writing to the folder.
@@ -89,6 +97,13 @@ class BakeFolder {
       if (name.rfind(".zonal-", 0) == 0 && entry.path().extension() == ".tmp")
         std::filesystem::remove(entry.path(), error);
     }
+  }
+
+  /// Removes the samples, and the folder if nothing else is in it.
+  void remove() const {
+    std::error_code error;
+    for (std::size_t n = 0; n < file_count(); ++n) std::filesystem::remove(file(n), error);
+    std::filesystem::remove(folder_, error);
   }
 
   std::uint64_t fingerprint() const { return fingerprint_; }
@@ -155,11 +170,11 @@ struct BakeShare {
   std::size_t index = 0, count = 1;
 };
 
-/// The second step: sums of the blocks index, index + count, ... of all.
-template <int N, GridContent content = GridContent::values>
+/// The second step: sums of the blocks index, index + count, ... of all. Sums is FieldSums, or ReferenceFieldSums.
+template <class Sums>
 class FieldBake {
  public:
-  using Grid = CoefficientGrid<N, content>;
+  using Grid = typename Sums::Grid;
 
   /// Goes on with what the folder holds of the same bake. Throws FileError. All must outlive this.
   FieldBake(const BakeFolder& folder, const ProbeSequence& sequence, const DirectionBuckets& buckets, const Grid& grid,
@@ -172,7 +187,12 @@ class FieldBake {
         sums_(grid) {
     for (const SequenceProbe& probe : sequence.probes) places_.push_back(place_of(sequence, probe));
     detail::Fingerprint print;
-    print.add(folder.fingerprint()).add(N).add(int(content)).add(grid.low()).add(grid.high());
+    print.add(folder.fingerprint())
+        .add(Sums::name)
+        .add(Grid::bands)
+        .add(int(Grid::content))
+        .add(grid.low())
+        .add(grid.high());
     print.add(grid.resolution().x).add(grid.resolution().y).add(grid.resolution().z);
     print.add(resampling.slope_damping).add(int(resampling.repair)).add(share.index).add(share.count);
     fingerprint_ = print.value();
@@ -210,7 +230,7 @@ class FieldBake {
     std::filesystem::remove(path(), error);
   }
 
-  FieldSums<N, content>& sums() { return sums_; }
+  Sums& sums() { return sums_; }
 
  private:
   using HeaderWords = std::array<std::uint32_t, detail::sums_file_format.header_size / 4>;
@@ -274,7 +294,7 @@ class FieldBake {
   float sphere_radius_;
   Resampling resampling_;
   BakeShare share_;
-  FieldSums<N, content> sums_;
+  Sums sums_;
   std::vector<ProbePlace> places_;
   std::vector<RadianceSample> samples_;
   std::uint64_t fingerprint_ = 0;

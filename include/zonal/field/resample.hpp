@@ -66,6 +66,7 @@ template <int N, GridContent content = GridContent::values>
 class FieldSums {
  public:
   using Grid = CoefficientGrid<N, content>;
+  static constexpr const char* name = "plane";
 
   /// Of nothing. The grid says where its points are; its coefficients are written over.
   explicit FieldSums(Grid grid) : grid_(std::move(grid)), rest_(lanes_ * Grid::vertex_size) {

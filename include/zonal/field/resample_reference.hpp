@@ -23,6 +23,7 @@ template <int N>
 class ReferenceFieldSums {
  public:
   using Grid = CoefficientGrid<N, GridContent::values>;
+  static constexpr const char* name = "space";
 
   explicit ReferenceFieldSums(const Grid& grid) : grid_(grid), sums_(grid.vertex_count()) {}
 
@@ -52,8 +53,16 @@ class ReferenceFieldSums {
     }
   }
 
+  template <class Visit>
+  void visit_state(const Visit& visit) {
+    static_assert(sizeof(Sh<N, glm::dvec3>) == 3 * N * N * sizeof(double));
+    visit(&sums_[0][0].x, std::size_t{3 * N * N} * sums_.size());
+    visit(&one_[0], static_cast<std::size_t>(one_.size()));
+  }
+
   /// As FieldSums::finish.
-  bool finish(Grid& result) {
+  template <class ForEach = SerialForEach>
+  bool finish(Grid& result, ForEach&& = {}) {
     const bool is_any = one_[0] > 0;
     detail::for_each_point(grid_.resolution(), [&](int i, int j, int k, std::size_t v) {
       Sh<N, glm::dvec3> sum = sums_[v];

@@ -26,6 +26,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -204,25 +205,35 @@ inline ProbeSequence read_sequence(const std::filesystem::path& path) { return d
 /// some 1e-7), with names relative to the file's folder where they are below it. Throws FileError, also where a name
 /// has a quote or a new line in it.
 inline void write_sequence(const std::filesystem::path& path, const ProbeSequence& sequence) {
-  const auto number = [](float value) { return " " + shortest_text(value); };
-  const auto turn = [&](const glm::quat& q) { return number(q.w) + number(q.x) + number(q.y) + number(q.z); };
   std::string text;
+  const auto add = [&](std::initializer_list<float> numbers) {
+    for (const float number : numbers) text.append(1, ' ').append(shortest_text(number));
+  };
+  const auto add_turn = [&](const glm::quat& q) { add({q.w, q.x, q.y, q.z}); };
   if (sequence.mapping) text += std::string("mapping ") + mapping_name(*sequence.mapping) + "\n";
-  if (sequence.sphere_radius > 0) text += "sphere-radius" + number(sequence.sphere_radius) + "\n";
-  if (sequence.dead_angle > 0) {
-    text += "dead-angle" + number(sequence.dead_angle / float(kPi / 180)) +
-            (sequence.dead_angle_is == DeadAngle::black ? " black\n" : " missing\n");
+  if (sequence.sphere_radius > 0) {
+    text += "sphere-radius";
+    add({sequence.sphere_radius});
+    text += "\n";
   }
-  text += "orientation" + turn(sequence.orientation) + "\n";
+  if (sequence.dead_angle > 0) {
+    text += "dead-angle";
+    add({sequence.dead_angle / float(kPi / 180)});
+    text += sequence.dead_angle_is == DeadAngle::black ? " black\n" : " missing\n";
+  }
+  text += "orientation";
+  add_turn(sequence.orientation);
+  text += "\n";
   for (const SequenceProbe& probe : sequence.probes) {
     std::filesystem::path picture = probe.picture.lexically_proximate(path.parent_path());
     if (*picture.begin() == "..") picture = std::filesystem::absolute(probe.picture);
     const std::string name = picture.generic_string();
-    if (name.find_first_of("\"\n") != std::string::npos)
+    if (name.find_first_of("\"\n") != std::string::npos) {
       throw FileError(path, "cannot hold the picture's name: " + name);
-    text += "probe \"" + name + "\"";
-    for (int axis = 0; axis < 3; ++axis) text += number(probe.position[axis]);
-    if (probe.orientation) text += " " + turn(*probe.orientation);
+    }
+    text.append("probe \"").append(name).append("\"");
+    add({probe.position.x, probe.position.y, probe.position.z});
+    if (probe.orientation) add_turn(*probe.orientation);
     text += "\n";
   }
   OutputFile file(path);

@@ -48,52 +48,82 @@ namespace detail {
 
 inline constexpr FileFormat grid_file_format{"ZONALGRD", 1, 60, "grid"};
 
-using GridFileHeaderWords = std::array<std::uint32_t, grid_file_format.header_size / 4>;
+// What the formats of a box of vertices have in common (visibility_file.hpp is the other): the header's words after the
+// version. `number` says how much a vertex holds.
+struct BoxFileHeader {
+  std::uint32_t number;
+  glm::ivec3 resolution;
+  glm::vec3 low, high;
+  std::uint64_t floats;
+};
+using BoxFileWords = std::array<std::uint32_t, grid_file_format.header_size / 4>;
 
-template <int N, GridContent content>
-GridFileHeaderWords header_words(const CoefficientGrid<N, content>& grid) {
-  GridFileHeaderWords words{};
-  grid_file_format.begin(words.data());
-  words[3] = static_cast<std::uint32_t>(N);
+inline BoxFileWords header_words(const FileFormat& format, const BoxFileHeader& header) {
+  BoxFileWords words{};
+  format.begin(words.data());
+  words[3] = header.number;
   for (int a = 0; a < 3; ++a) {
     const auto axis = static_cast<std::size_t>(a);
-    words[4 + axis] = static_cast<std::uint32_t>(grid.resolution()[a]);
-    words[7 + axis] = to_word(grid.low()[a]);
-    words[10 + axis] = to_word(grid.high()[a]);
+    words[4 + axis] = static_cast<std::uint32_t>(header.resolution[a]);
+    words[7 + axis] = to_word(header.low[a]);
+    words[10 + axis] = to_word(header.high[a]);
   }
-  to_words(static_cast<std::uint64_t>(grid.size()), &words[13]);
+  to_words(header.floats, &words[13]);
   return words;
 }
 
-// An open grid file whose header has been read and holds together with the file's size.
-class GridFileReader : public WordReader {
+// An open file of such a format.
+class BoxFileReader : public WordReader {
  public:
-  explicit GridFileReader(const std::filesystem::path& path) : WordReader(path, grid_file_format) {
-    GridFileHeaderWords words;
+  BoxFileReader(const std::filesystem::path& path, const FileFormat& format) : WordReader(path, format) {
+    BoxFileWords words;
     read_header(words.data());
-    // No product below can overflow: 3 * 1024^2 * 2^31, then counted down.
-    if (words[3] < 1 || words[3] > 1024) fail("is damaged: it says it has " + std::to_string(words[3]) + " bands");
-    std::uint64_t values = std::uint64_t{3} * words[3] * words[3];
-    for (std::size_t a = 0; a < 3; ++a) {
-      const std::uint32_t count = words[4 + a];
-      if (count < 2 || count > 0x7FFFFFFF || values > (size() / 4 + 1) / count) {
-        fail("is damaged: its resolution does not go with its size");
-      }
-      values *= count;
-    }
-    const std::uint64_t floats = from_words(&words[13]);
-    if ((floats != values && floats != 4 * values) ||
-        size() != grid_file_format.header_size + 4 * floats + FileFormat::checksum_size) {
-      fail("is damaged: its size is not what its header says");
-    }
-    header_.content = floats == values ? GridContent::values : GridContent::values_and_gradients;
-    header_.bands = static_cast<int>(words[3]);
+    box_.number = words[3];
     for (int a = 0; a < 3; ++a) {
       const auto axis = static_cast<std::size_t>(a);
-      header_.resolution[a] = static_cast<int>(words[4 + axis]);
-      header_.low[a] = from_word(words[7 + axis]);
-      header_.high[a] = from_word(words[10 + axis]);
+      if (words[4 + axis] < 2 || words[4 + axis] > 0x7FFFFFFF) fail_of_resolution();
+      box_.resolution[a] = static_cast<int>(words[4 + axis]);
+      box_.low[a] = from_word(words[7 + axis]);
+      box_.high[a] = from_word(words[10 + axis]);
     }
+    box_.floats = from_words(&words[13]);
+    if (size() != format.header_size + 4 * box_.floats + FileFormat::checksum_size || box_.floats > size()) {
+      fail("is damaged: its size is not what its header says");
+    }
+  }
+
+  const BoxFileHeader& box() const { return box_; }
+
+  // How many floats all vertices hold, at most as many as there are: no product can overflow.
+  std::uint64_t floats_of(std::uint64_t vertex_size) const {
+    std::uint64_t floats = vertex_size;
+    for (int a = 0; a < 3; ++a) {
+      const auto count = static_cast<std::uint64_t>(box_.resolution[a]);
+      if (floats > (size() / 4 + 1) / count) fail_of_resolution();
+      floats *= count;
+    }
+    return floats;
+  }
+
+ private:
+  [[noreturn]] void fail_of_resolution() const { fail("is damaged: its resolution does not go with its size"); }
+
+  BoxFileHeader box_{};
+};
+
+// An open grid file whose header has been read and holds together with the file's size.
+class GridFileReader : public BoxFileReader {
+ public:
+  explicit GridFileReader(const std::filesystem::path& path) : BoxFileReader(path, grid_file_format) {
+    const std::uint64_t bands = box().number;
+    if (bands < 1 || bands > 1024) fail("is damaged: it says it has " + std::to_string(bands) + " bands");
+    const std::uint64_t values = floats_of(3 * bands * bands);
+    if (box().floats != values && box().floats != 4 * values) {
+      fail("is damaged: its size is not what its header says");
+    }
+    header_ = {static_cast<int>(bands),
+               box().floats == values ? GridContent::values : GridContent::values_and_gradients, box().resolution,
+               box().low, box().high};
   }
 
   const GridFileHeader& header() const { return header_; }
@@ -108,7 +138,8 @@ class GridFileReader : public WordReader {
 template <int N, GridContent content>
 void save_grid(const std::filesystem::path& path, const CoefficientGrid<N, content>& grid) {
   detail::WordWriter writer(path);
-  const auto header = detail::header_words(grid);
+  const auto header = detail::header_words(detail::grid_file_format,
+                                           {std::uint32_t(N), grid.resolution(), grid.low(), grid.high(), grid.size()});
   writer.write(header.data(), header.size());
   writer.write_floats(grid.data(), grid.size());
   writer.finish();

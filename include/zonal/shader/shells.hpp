@@ -255,6 +255,8 @@ std::vector<ShellNeed> interpolate_needs(int) {
 
 // ---- The discontinuity filter ---------------------------------------------------------------------------------------
 
+// The choice is that of FilterWindow::chosen, here pixel by pixel: a shader compares no more pixels than it needs, and
+// kernels know no bits.
 template <bool is_down>
 std::string filter_text(int bands) {
   const std::string text = R"(// What a pixel sees, as SurfacePicture (zonal/screen/surface.hpp) holds it.

@@ -1,0 +1,152 @@
+#include "options.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "shared/command_line.hpp"
+#include "shared/input_error.hpp"
+#include "shared/names.hpp"
+
+namespace example::field_bake {
+namespace {
+
+enum class Estimate { linear, mean };
+const Names<Estimate> estimate_names = {{"linear", Estimate::linear}, {"mean", Estimate::mean}};
+const Names<zonal::Repair> repair_names = {{"mip-maps", zonal::Repair::mip_maps}, {"nearest", zonal::Repair::nearest}};
+const Names<Path> path_names = {{"plane", Path::plane}, {"space", Path::space}};
+
+/// 8, or 8x8x8.
+bool parse_resolution(const std::string& text, std::array<int, 3>& resolution) {
+  int all = 0;
+  if (parse_number(text, all)) {
+    resolution.fill(all);
+    return true;
+  }
+  return parse_numbers(text, 'x', resolution);
+}
+
+void add_grid_options(CLI::App& app, Options& options) {
+  const std::string group = "Grid";
+  app.add_option_function<std::string>(
+         "--grid",
+         [&options](const std::string& text) {
+           std::array<int, 3> resolution{};
+           parse_resolution(text, resolution);
+           options.resolution = {resolution[0], resolution[1], resolution[2]};
+         },
+         "Points along each axis of the box")
+      ->type_name("N|XxYxZ")
+      ->check(validator([](const std::string& text) -> std::string {
+        std::array<int, 3> resolution{};
+        const auto possible = [](int points) { return points >= 2 && points <= 1024; };
+        const bool good =
+            parse_resolution(text, resolution) && std::all_of(resolution.begin(), resolution.end(), possible);
+        return good ? "" : "'" + text + "' is not a resolution such as 16 or 16x16x8, each number 2 to 1024";
+      }))
+      ->default_str("16")
+      ->group(group);
+  app.add_option_function<std::string>(
+         "--box",
+         [&options](const std::string& text) {
+           std::array<float, 6> n{};
+           parse_numbers(text, ',', n);
+           options.box = Box{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
+         },
+         "Low and high corner of the grid, in the sequence's unit; without it, of all probes")
+      ->type_name("X,Y,Z,X,Y,Z")
+      ->check(validator([](const std::string& text) -> std::string {
+        std::array<float, 6> n{};
+        bool good = parse_numbers(text, ',', n);
+        for (std::size_t axis = 0; axis < 3; ++axis) good = good && n[axis] < n[axis + 3];
+        return good ? "" : "'" + text + "' is not a box such as -1,-1,0,1,1,2, its low corner first";
+      }))
+      ->group(group);
+  add_one_of(app, "--bands", options.bands, baked_bands(),
+             "Bands of the coefficients: 3 for diffuse light, 5 for glossy")
+      ->group(group);
+  app.add_flag("--gradients", options.gradients,
+               "Spatial gradients as well, for Hermite interpolation: four times the memory")
+      ->group(group);
+}
+
+void add_resampling_options(CLI::App& app, Options& options, Estimate& estimate) {
+  const std::string group = "Resampling";
+  add_choice(app, "--estimate", estimate_names, estimate,
+             "Between scattered samples: a linear fit, or the weighted mean, as the paper has it")
+      ->group(group);
+  add_choice(app, "--repair", repair_names, options.resampling.repair, "What points get that no sample reached")
+      ->group(group);
+  add_choice(app, "--path", path_names, options.path,
+             "In the plane across each direction, or through space, as the paper has it: the reference, slow, of means")
+      ->group(group);
+  const auto thinning = [&options]() -> zonal::Thinning& {
+    if (!options.thinning) options.thinning.emplace();
+    return *options.thinning;
+  };
+  CLI::Option* thin =
+      app.add_option_function<float>(
+             "--thin", [thinning](const float& difference) { thinning().difference = difference; },
+             "Leave out probes that differ by no more than this from the last kept and from the next, as energy of the "
+             "difference over the mean energy")
+          ->type_name("0...2")
+          ->check(between(0.0f, 2.0f, "0...2"))
+          ->group(group);
+  app.add_option_function<float>(
+         "--thin-distance", [thinning](const float& distance) { thinning().distance = distance; },
+         "Only where both are as near as this, in the sequence's unit")
+      ->type_name("0...1e6")
+      ->check(between(0.0f, 1e6f, "0...1e6"))
+      ->needs(thin)
+      ->group(group);
+}
+
+void add_output_options(CLI::App& app, Options& options) {
+  app.add_option("--out", options.out, "The grid's file")
+      ->type_name("FILE")
+      ->check(not_empty())
+      ->capture_default_str()
+      ->group(run_group);
+  app.add_option("--work", options.work,
+                 "Folder for samples and sums; what is there of the same bake is not made again. Without it the grid's "
+                 "name and .work")
+      ->type_name("FOLDER")
+      ->check(not_empty())
+      ->group(run_group);
+  app.add_flag("--keep-work", options.keep_work,
+               "Leave the folder where it is: another grid of the same samples takes them from there")
+      ->group(run_group);
+  add_number(app, "--memory", options.memory, 1, 1 << 20, "1...1048576",
+             "MiB for pictures' samples on their way to disk")
+      ->group(run_group);
+  app.add_option("--report", options.report, "Write what was done, and how long it took, as JSON")
+      ->type_name("FILE")
+      ->check(not_empty())
+      ->group(run_group);
+  add_number(app, "--threads", options.threads, 0, 1024, "0...1024", "Threads; 0 for all cores")->group(run_group);
+  app.add_flag("--quiet", options.quiet, "Print nothing but errors")->group(run_group);
+}
+
+}  // namespace
+
+CommandLine<Options> parse_command_line(int argc, char** argv) {
+  CommandLine<Options> line;
+  Options& options = line.options;
+  Estimate estimate = Estimate::linear;
+  CLI::App app(
+      "Turns a sequence of light probes into a grid of spherical harmonic\n"
+      "coefficients: the light of every place in a volume. May be stopped at any\n"
+      "moment; the same command goes on from there.",
+      "field-bake");
+  set_up(app);
+  app.add_option("sequence", options.sequence, "Text file of pictures and positions")->type_name("FILE")->required();
+  add_grid_options(app, options);
+  add_resampling_options(app, options, estimate);
+  add_output_options(app, options);
+  line.exit_status = parse(app, argc, argv);
+  if (estimate == Estimate::mean) options.resampling.slope_damping = std::numeric_limits<float>::infinity();
+  if (options.path == Path::space && options.gradients) throw InputError("--gradients: the paper's steps have none");
+  if (options.work.empty()) options.work = options.out + ".work";
+  return line;
+}
+
+}  // namespace example::field_bake

@@ -77,16 +77,18 @@ inline std::uint64_t fingerprint(const ProbeSequence& sequence, const DirectionB
 /// The folder of a bake, and which of the sequence's samples stand in which file.
 class BakeFolder {
  public:
-  /// Makes the folder where it is not there; what a process that was killed left half written goes away. `memory`, in
-  /// bytes, is for the samples of one file. Throws FileError; also where a picture is not there.
+  /// Makes the folder where it is not there. `memory`, in bytes, is for the samples of one file. Throws FileError; also
+  /// where a picture is not there.
   BakeFolder(const std::filesystem::path& folder, const ProbeSequence& sequence, const DirectionBuckets& buckets,
              std::size_t memory)
-      : folder_(folder), probes_(sequence.probes.size()), buckets_(buckets.size()) {
+      : folder_(folder),
+        probes_(sequence.probes.size()),
+        buckets_(buckets.size()),
+        fingerprint_(zonal::fingerprint(sequence, buckets)) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) throw FileError(folder, "cannot be made (" + error.message() + ")");
     per_file_ = (std::max)(memory / (buckets_ * sizeof(RadianceSample)), std::size_t{1});
-    fingerprint_ = zonal::fingerprint(sequence, buckets);
   }
 
   /// Removes what processes that were killed left half written. No other may be writing to the folder.

@@ -40,7 +40,7 @@ void run(const Options& options) {
   const ThreadLimit limit(options.threads);
   Scene scene = open_scene(options);
   print_warnings(program_name, scene);
-  const Bounds box = field_box(scene, options.low, options.high);
+  const Bounds box = field_box(scene, options.box);
   const bool is_truth = !options.truth.empty();
   const std::vector<glm::vec3> positions = is_truth ? read_positions(options.truth) : probe_positions(options, box);
   if (is_truth) {

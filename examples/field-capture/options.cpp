@@ -7,39 +7,13 @@
 namespace example::field_capture {
 namespace {
 
-/// x,y,z:x,y,z
-bool parse_box(const std::string& text, Options& options) {
-  const std::size_t colon = text.find(':');
-  std::array<float, 3> low{}, high{};
-  if (colon == std::string::npos || !parse_numbers(text.substr(0, colon), ',', low) ||
-      !parse_numbers(text.substr(colon + 1), ',', high)) {
-    return false;
-  }
-  options.low = glm::vec3(low[0], low[1], low[2]);
-  options.high = glm::vec3(high[0], high[1], high[2]);
-  return true;
-}
-
-CLI::Validator box() {
-  return validator([](const std::string& text) -> std::string {
-    Options ignored;
-    return parse_box(text, ignored) ? "" : "'" + text + "' is not a box such as -0.5,1,2:0.5,2,3";
-  });
-}
-
 void add_place_options(CLI::App& app, Options& options) {
   const std::string group = "Light and probes";
   add_choice(app, "--setup", field_setup_names, options.setup,
              "An area light and a projector of coloured squares; or a half-blocked red spotlight and a cone of white "
              "light")
       ->group(group);
-  app.add_option_function<std::string>(
-         "--box", [&options](const std::string& text) { parse_box(text, options); },
-         "Low and high corner, in metres, of the volume that probes stand in and lamps are placed about; without it, a "
-         "cube near the middle of the scene")
-      ->type_name("X,Y,Z:X,Y,Z")
-      ->check(box())
-      ->group(group);
+  add_box_option(app, options.box)->group(group);
   add_number(app, "--probes", options.probes, 1, 1000000, "1...1000000", "How many, about: what the layout can have")
       ->group(group);
   add_choice(app, "--layout", layout_names, options.layout,

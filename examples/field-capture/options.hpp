@@ -21,7 +21,7 @@ struct Options : CommonOptions {
   Options() { out = "capture"; }
 
   FieldSetup setup = FieldSetup::projector;
-  std::optional<glm::vec3> low, high;  // of the box
+  std::optional<Bounds> box;
   int probes = 1000;
   Layout layout = Layout::random;
 

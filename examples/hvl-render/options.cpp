@@ -43,18 +43,7 @@ void add_output_options(CLI::App& app, Options& options) {
 }
 
 void add_material_options(CLI::App& app, Options& options) {
-  app.add_option_function<std::vector<std::string>>(
-         "--material",
-         [&options](const std::vector<std::string>& texts) {
-           for (const std::string& text : texts) options.materials.push_back(parse_material_change(text));
-         },
-         "Make the scene's material NAME (* for all) another; may be repeated. SPEC: " + material_specs() +
-             "; files are of the MERL and RGL databases; the x axis of anisotropic ones lies along the texture "
-             "coordinate u, and horizontally where there is none. The surface keeps its relief, not its colours")
-      ->type_name("NAME=SPEC")
-      ->allow_extra_args(false)
-      ->take_all()
-      ->group(scene_group);
+  add_material_option(app, options.materials)->group(scene_group);
   app.add_flag(
          "--multiple-scattering", options.multiple_scattering,
          "Metals and mirrors reflect also what bounces between their microfacets, up to 69 % where they are rough")

@@ -8,8 +8,8 @@
 #include <glm/glm.hpp>
 #include <zonal/transform/window.hpp>
 
-#include "material_change.hpp"
 #include "shared/common_options.hpp"
+#include "shared/material_change.hpp"
 
 namespace example::hvl_render {
 

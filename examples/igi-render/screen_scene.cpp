@@ -9,16 +9,6 @@
 #include "shared/interrupt.hpp"
 
 namespace example::igi_render {
-namespace {
-
-constexpr double table_tolerance = 1e-4;
-
-zonal::MaterialTable table_of(const zonal::Brdf& part) {
-  const auto for_each = [](int count, const auto& body) { tbb::parallel_for(0, count, body); };
-  return zonal::project_material(part, zonal::MaterialTable::max_bands, table_tolerance, for_each);
-}
-
-}  // namespace
 
 zonal::SurfacePicture make_surfaces(const PrimaryHits& hits, int width, int height, bool shading_normals) {
   zonal::SurfacePicture surfaces(width, height);
@@ -35,12 +25,6 @@ zonal::SurfacePicture make_surfaces(const PrimaryHits& hits, int width, int heig
   return surfaces;
 }
 
-ScreenMaterial::ScreenMaterial(const Material& material)
-    : BodyAndRest(body_and_rest(material.brdf)), body_table(table_of(body)), rest_table(table_of(rest)) {
-  if (!is_isotropic(material.brdf))
-    throw InputError(material.name + ": is anisotropic, which igi-render does not take");
-}
-
 bool ScreenScene::sees(const Hit& from, const glm::vec3& direction, float distance) const {
   return caster.visible(from, from.position + direction * std::min(distance, 2.0f * diameter));
 }
@@ -48,7 +32,7 @@ bool ScreenScene::sees(const Hit& from, const glm::vec3& direction, float distan
 ScreenScene make_screen(const Scene& scene, const RayCaster& caster, const Options& options, const Probe* probe,
                         StageTimes& times, Progress& progress) {
   const int width = options.width * options.antialias, height = options.height * options.antialias;
-  std::vector<ScreenMaterial> materials;
+  std::vector<SplitMaterial> materials;
   times.time(stage_name::materials, [&] {
     for (const Material& material : scene.materials) {
       throw_if_interrupted();

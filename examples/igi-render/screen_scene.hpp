@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include <zonal/material/material_table.hpp>
 #include <zonal/screen/incident.hpp>
 #include <zonal/screen/surface.hpp>
 
@@ -13,6 +12,7 @@
 #include "shared/progress.hpp"
 #include "shared/ray_caster.hpp"
 #include "shared/scene.hpp"
+#include "shared/split_material.hpp"
 #include "shared/stage_times.hpp"
 
 namespace example::igi_render {
@@ -22,20 +22,13 @@ using namespace example::stage_name;
 inline constexpr const char* lights = "sets of lights";
 }  // namespace stage_name
 
-/// A material's parts, each with its table.
-struct ScreenMaterial : BodyAndRest {
-  zonal::MaterialTable body_table, rest_table;
-
-  explicit ScreenMaterial(const Material& material);
-};
-
 /// All that the filters need, made once: what each position of the picture sees, and the lights.
 struct ScreenScene {
   const Scene& scene;
   const RayCaster& caster;
   const Options& options;
   const Probe* probe;
-  std::vector<ScreenMaterial> materials;
+  std::vector<SplitMaterial> materials;
   std::vector<zonal::LightSet> sets;
   float least_distance;  // metres
   float diameter;        // of the scene, metres

@@ -24,22 +24,11 @@ double seconds_of(const auto& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The material's coefficients at a hit, its body in the texture's colour. The window is for the rest alone: what is
-/// matte does not ring, and would be blurred.
-template <int N>
-zonal::EvenSh<N, glm::vec3> material_at(const ScreenMaterial& material, const Hit& hit, float cos_outgoing,
-                                        zonal::Window window) {
-  zonal::EvenSh<N, glm::vec3> row = zonal::apply_window(material.rest_table.with_cosine<N>(cos_outgoing), window);
-  const zonal::EvenSh<N, glm::vec3> body = material.body_table.with_cosine<N>(cos_outgoing);
-  for (int i = 0; i < row.size(); ++i) row[i] += hit.colour * body[i];
-  return row;
-}
-
 template <int N>
 glm::vec3 shade(const ScreenScene& screen, const Hit& hit, const zonal::Sh<N, glm::vec3>& radiance,
                 zonal::Window window = zonal::Window::none) {
   const glm::vec3 outgoing = towards_camera(screen.scene, hit);
-  const auto row = material_at<N>(screen.materials[hit.material], hit, glm::dot(hit.normal, outgoing), window);
+  const auto row = screen.materials[hit.material].row<N>(hit.colour, glm::dot(hit.normal, outgoing), window);
   return zonal::reflected_radiance(zonal::in_shading_frame(radiance, hit.normal, outgoing), row);
 }
 
@@ -75,7 +64,7 @@ class ReflectedSum {
  private:
   glm::vec3 total(int part) const { return {sums_[part][0].sum(), sums_[part][1].sum(), sums_[part][2].sum()}; }
 
-  const ScreenMaterial& material_;
+  const SplitMaterial& material_;
   glm::vec3 axes_[3];  // of the normal's frame
   glm::vec3 outgoing_;
   Lanes sums_[2][3];

@@ -34,10 +34,25 @@ std::string version(const std::string& program) {
          std::to_string(zonal::version_patch);
 }
 
+/// x,y,z,x,y,z
+bool parse_box(const std::string& text, Bounds& box) {
+  std::array<float, 6> n{};
+  if (!parse_numbers(text, ',', n)) return false;
+  box = {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
+  return true;
+}
+
+CLI::Validator box_corners() {
+  return validator([](const std::string& text) -> std::string {
+    Bounds ignored;
+    return parse_box(text, ignored) ? "" : "'" + text + "' is not a box such as -0.5,1,2,0.5,2,3";
+  });
+}
+
 std::string scene_names() {
   std::string text;
   for (const auto& [name, finish] : atrium_names) text += name + "|";
-  return text + "furnace|FILE.obj";
+  return text + "furnace|rooms|FILE.obj";
 }
 
 }  // namespace
@@ -84,6 +99,17 @@ CLI::Option* add_point(CLI::App& app, const std::string& name, std::optional<glm
     point = glm::vec3(parsed[0], parsed[1], parsed[2]);
   };
   return app.add_option_function<std::string>(name, assign, help)->type_name("X,Y,Z");
+}
+
+CLI::Option* add_box_option(CLI::App& app, std::optional<Bounds>& box) {
+  const auto set = [&box](const std::string& text) { parse_box(text, box.emplace()); };
+  return app
+      .add_option_function<std::string>(
+          "--box", set,
+          "Low and high corner, in metres, of the volume that probes stand in and lamps are placed about; without it, "
+          "a cube near the middle of the scene")
+      ->type_name("X,Y,Z,X,Y,Z")
+      ->check(box_corners());
 }
 
 CLI::Option* add_angle(CLI::App& app, const std::string& name, float greatest_degrees, float scale,

@@ -87,6 +87,9 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, Number& number, 
 CLI::Option* add_point(CLI::App& app, const std::string& name, std::optional<glm::vec3>& point,
                        const std::string& help);
 
+/// --box, the volume of an incident light field
+CLI::Option* add_box_option(CLI::App& app, std::optional<Bounds>& box);
+
 /// An angle given in degrees and kept, times `scale`, in radians.
 CLI::Option* add_angle(CLI::App& app, const std::string& name, float greatest_degrees, float scale,
                        std::optional<float>& radians, const std::string& help);

@@ -66,15 +66,19 @@ bool is_box(const Bounds& box) {
 
 }  // namespace
 
-Bounds field_box(const Scene& scene, const std::optional<glm::vec3>& low, const std::optional<glm::vec3>& high) {
+Bounds field_box(const Scene& scene, const std::optional<Bounds>& box) {
+  if (box) {
+    if (!is_box(*box)) throw InputError("--box: the low corner must be below the high one on every axis");
+    return *box;
+  }
   const Bounds bounds = bounds_of(scene.mesh);
   // Of the hall's height, as the hall is: the floor a metre and a half below, the ceiling above the lamps.
   const float side = (bounds.upper.y - bounds.lower.y) / 6.2f;
   glm::vec3 centre = bounds.centre();
   centre.y = bounds.lower.y + 1.5f * side;
-  const Bounds box{low.value_or(centre - 0.5f * side), high.value_or(centre + 0.5f * side)};
-  if (!is_box(box)) throw InputError("--box: the low corner must be below the high one on every axis");
-  return box;
+  const Bounds cube{centre - 0.5f * side, centre + 0.5f * side};
+  if (!is_box(cube)) throw InputError("the scene is flat: name the volume by --box");
+  return cube;
 }
 
 std::vector<Emitter> set_up_field(FieldSetup setup, const Bounds& box, Scene& scene) {

@@ -19,7 +19,7 @@ inline const Names<FieldSetup> field_setup_names{{"projector", FieldSetup::proje
 
 /// The volume that probes stand in: the one that is asked for, or one near the middle of the scene, a metre wide in the
 /// built-in hall. Throws InputError where it is none.
-Bounds field_box(const Scene& scene, const std::optional<glm::vec3>& low, const std::optional<glm::vec3>& high);
+Bounds field_box(const Scene& scene, const std::optional<Bounds>& box);
 
 /// The lamps of a set-up, placed about the box; what blocks light is added to the scene.
 std::vector<Emitter> set_up_field(FieldSetup setup, const Bounds& box, Scene& scene);

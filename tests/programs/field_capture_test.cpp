@@ -222,7 +222,7 @@ TEST_CASE("in a white sphere a probe sees what the lamp in its middle sends to i
 
 TEST_CASE("the true coefficients are those of the picture from the same place") {
   Scene scene = make_atrium(AtriumFinish::diffuse);
-  const Bounds box = field_box(scene, std::nullopt, std::nullopt);
+  const Bounds box = field_box(scene, std::nullopt);
   std::vector<Emitter> emitters = set_up_field(FieldSetup::projector, box, scene);
   const RayCaster caster(scene);
   const IncidentRadiance light(scene, caster, std::move(emitters), 1);
@@ -245,7 +245,7 @@ TEST_CASE("the true coefficients are those of the picture from the same place") 
 
 TEST_CASE("the board blocks the red spotlight for half of the volume, and nothing else does") {
   Scene scene = make_atrium(AtriumFinish::diffuse);
-  const Bounds box = field_box(scene, std::nullopt, std::nullopt);
+  const Bounds box = field_box(scene, std::nullopt);
   const std::vector<Emitter> emitters = set_up_field(FieldSetup::spots, box, scene);
   const RayCaster caster(scene);
   const IncidentRadiance light(scene, caster, emitters, 0);
@@ -297,7 +297,7 @@ TEST_CASE("layouts: as many as asked for, in the box, and neighbours near each o
 TEST_CASE("a sequence: the same bytes for any number of threads, and what is there and whole is kept") {
   Scene scene = make_atrium(AtriumFinish::diffuse);
   const Options options = small_options();
-  const Bounds box = field_box(scene, std::nullopt, std::nullopt);
+  const Bounds box = field_box(scene, std::nullopt);
   std::vector<Emitter> emitters = set_up_field(options.setup, box, scene);
   const RayCaster caster(scene);
   const IncidentRadiance light(scene, caster, std::move(emitters), options.bounces);

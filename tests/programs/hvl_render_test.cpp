@@ -3,10 +3,10 @@
 #include "hvl-render/direct_light.hpp"
 #include "hvl-render/gatherer.hpp"
 #include "hvl-render/lit_scene.hpp"
-#include "hvl-render/material_change.hpp"
 #include "hvl-render/path.hpp"
 #include "hvl-render/time_budget.hpp"
 #include "hvl-render/virtual_lights.hpp"
+#include "shared/material_change.hpp"
 
 #include <cmath>
 #include <cstdint>

@@ -10,11 +10,11 @@
 #include <zonal/material/merl.hpp>
 #include <zonal/material/rgl.hpp>
 
-#include "shared/command_line.hpp"
-#include "shared/input_error.hpp"
-#include "shared/materials.hpp"
+#include "command_line.hpp"
+#include "input_error.hpp"
+#include "materials.hpp"
 
-namespace example::hvl_render {
+namespace example {
 namespace {
 
 constexpr float metal_roughness = 0.2f;  // where a spec does not say
@@ -75,6 +75,21 @@ std::string material_specs() {
   return text + " FILE.binary FILE.bsdf";
 }
 
+CLI::Option* add_material_option(CLI::App& app, std::vector<MaterialChange>& changes) {
+  return app
+      .add_option_function<std::vector<std::string>>(
+          "--material",
+          [&changes](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) changes.push_back(parse_material_change(text));
+          },
+          "Make the scene's material NAME (* for all) another; may be repeated. SPEC: " + material_specs() +
+              "; files are of the MERL and RGL databases; the x axis of anisotropic ones lies along the texture "
+              "coordinate u, and horizontally where there is none. The surface keeps its relief, not its colours")
+      ->type_name("NAME=SPEC")
+      ->allow_extra_args(false)
+      ->take_all();
+}
+
 MaterialChange parse_material_change(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
@@ -103,4 +118,4 @@ void apply(const std::vector<MaterialChange>& changes, std::vector<Material>& ma
   }
 }
 
-}  // namespace example::hvl_render
+}  // namespace example

@@ -3,9 +3,14 @@
 #include <string>
 #include <vector>
 
-#include "shared/scene.hpp"
+#include "scene.hpp"
 
-namespace example::hvl_render {
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace example {
 
 /// NAME=SPEC of --material: which of the scene's materials, * for all, becomes what.
 struct MaterialChange {
@@ -15,6 +20,9 @@ struct MaterialChange {
 /// What a spec can be, for --help and for errors.
 std::string material_specs();
 
+/// --material, which may be repeated.
+CLI::Option* add_material_option(CLI::App& app, std::vector<MaterialChange>& changes);
+
 /// Throws InputError where there is no '='.
 MaterialChange parse_material_change(const std::string& text);
 
@@ -22,4 +30,4 @@ MaterialChange parse_material_change(const std::string& text);
 /// cannot be read.
 void apply(const std::vector<MaterialChange>& changes, std::vector<Material>& materials);
 
-}  // namespace example::hvl_render
+}  // namespace example

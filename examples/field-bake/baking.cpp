@@ -25,11 +25,11 @@ class BakingOf final : public Baking {
   std::size_t done() const override { return bake_.done(); }
   void step() override { bake_.step(for_each); }
   void save() override { bake_.save(); }
-  bool finish(const Ranks& ranks, const std::string& path) override {
+  bool finish(const Ranks& ranks, const Options& options) override {
     bake_.sums().visit_state([&](auto* numbers, std::size_t count) { ranks.add_up(numbers, count); });
     if (!ranks.is_first()) return true;
     if (!bake_.sums().finish(grid_, for_each)) return false;
-    zonal::save_grid(path, grid_);
+    zonal::save_grid(options.out, grid_, options.half ? zonal::GridNumbers::halves : zonal::GridNumbers::floats);
     return true;
   }
   void forget() override { bake_.forget(); }

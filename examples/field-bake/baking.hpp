@@ -23,7 +23,7 @@ class Baking {
   virtual void save() = 0;
   /// Adds the ranks' sums up and, in the first, writes the grid. False where no sample met the box. Throws
   /// zonal::FileError.
-  virtual bool finish(const Ranks& ranks, const std::string& path) = 0;
+  virtual bool finish(const Ranks& ranks, const Options& options) = 0;
   /// Removes what was kept.
   virtual void forget() = 0;
   /// Of the grid and, on the way to it, of planes, samples and the paper's lattices: bytes.

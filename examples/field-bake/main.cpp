@@ -166,7 +166,7 @@ void bake(const Options& options, const Ranks& ranks) {
   report.grid_bytes = baking->grid_bytes();
   report.times.time(stage_name::resampling, [&] {
     resample(*baking, block_cost, report, progress);
-    if (!baking->finish(ranks, options.out)) {
+    if (!baking->finish(ranks, options)) {
       throw InputError(options.sequence + ": no ray of any probe comes near the box");
     }
   });

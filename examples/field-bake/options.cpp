@@ -67,6 +67,8 @@ void add_grid_options(CLI::App& app, Options& options) {
   app.add_flag("--gradients", options.gradients,
                "Spatial gradients as well, for Hermite interpolation: four times the memory")
       ->group(group);
+  app.add_flag("--half", options.half, "Numbers of 16 bits in the file: half as large, rounded to 11 bits")
+      ->group(group);
 }
 
 void add_resampling_options(CLI::App& app, Options& options, Estimate& estimate) {

@@ -31,6 +31,7 @@ struct Options {
   std::optional<Box> box;  // none: of the probes
   int bands = 5;
   bool gradients = false;
+  bool half = false;  // 16 bits
 
   zonal::Resampling resampling;
   Path path = Path::plane;

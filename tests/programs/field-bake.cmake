@@ -73,6 +73,7 @@ program_case("no space for the samples" 2 "work" "field-bake: work/samples-0.zon
 renders("help" "" "" --help)
 renders("defaults" "field.grid" "" s/sequence.txt)
 renders("gradients and report" "x.grid x.json" "" s/sequence.txt --gradients --bands 5 --out x.grid --report x.json)
+renders("16 bits" "x.grid" "" s/sequence.txt --half --out x.grid)
 renders("thinned" "x.grid" "" s/sequence.txt --thin 2 --thin-distance 10 --out x.grid)
 renders("paper's steps" "x.grid" "" s/sequence.txt --path space --out x.grid)
 renders("mean and nearest" "x.grid" "" s/sequence.txt --estimate mean --repair nearest --out x.grid)

@@ -7,6 +7,7 @@ import sys
 
 import report_plots
 from report_data import LOOKUPS, METHOD, distinct, frame_ms, interpolated, one, read, where
+from report_field_text import field
 from report_gather_text import gather
 from report_screen_text import screen
 from report_text import figure, listed, table
@@ -216,7 +217,7 @@ def furnace(folder):
 
 
 PARTS = {"gather": gather, "evaluation": evaluation, "interpolation": interpolation, "triangles": triangles,
-         "materials": materials, "furnace": furnace, "screen": screen}
+         "materials": materials, "furnace": furnace, "screen": screen, "field": field}
 
 
 def main(command, folder):

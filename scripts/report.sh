@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # Writes docs/report: data as CSV, plots, and a page that shows them. Installs and builds what it needs.
 #   report.sh [--full] [PART...]
-# PART: gather, evaluation, interpolation, triangles, materials, furnace, screen; all of them where none is named. On two
-# cores with nothing else to do three minutes for the screen, under five for all others; --full takes hours. Files of
+# PART: gather, evaluation, interpolation, triangles, materials, furnace, screen, field; all of them where none is named. On two
+# cores with nothing else to do three minutes for the screen, five for the field, under five for all others; --full takes hours. Files of
 # measured materials in $ZONAL_DATA/merl and $ZONAL_DATA/rgl are part of it. To draw all anew from the CSV files:
 # report.py plot docs/report.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-all_parts=(evaluation interpolation triangles materials furnace gather screen)
+all_parts=(evaluation interpolation triangles materials furnace gather screen field)
 full=() parts=()
 for argument in "$@"; do
   if [ "$argument" = --full ]; then
@@ -22,8 +22,9 @@ done
 [ ${#parts[@]} -gt 0 ] || parts=("${all_parts[@]}")
 
 zonal_setup ZONAL_REQUIRE_TESTS "${zonal_test_packages[@]}" python3 python3-matplotlib
-zonal_say "building zonal-report-data, hvl-render and igi-render ($zonal_jobs at a time)"
-cmake --build "$zonal_build" --target zonal-report-data hvl-render igi-render -j "$zonal_jobs"
+zonal_say "building zonal-report-data and the examples' programs ($zonal_jobs at a time)"
+cmake --build "$zonal_build" --target zonal-report-data hvl-render igi-render field-capture \
+  field-bake field-render -j "$zonal_jobs"
 
 python=/usr/bin/python3  # the one that python3-matplotlib is for
 data="$zonal_build/bench/report/zonal-report-data" folder="$zonal_root/docs/report"
@@ -55,6 +56,9 @@ for part in "${parts[@]}"; do
     gather) "$python" "$zonal_root/scripts/report_gather.py" "$zonal_build/examples/hvl-render/hvl-render" "$data" \
       "$folder" "${full[@]}" ;;
     screen) "$python" "$zonal_root/scripts/report_screen.py" "$zonal_build/examples/igi-render/igi-render" "$folder" \
+      "${full[@]}" ;;
+    field) "$python" "$zonal_root/scripts/report_field.py" "$zonal_build/examples/field-capture/field-capture" \
+      "$zonal_build/examples/field-bake/field-bake" "$zonal_build/examples/field-render/field-render" "$folder" \
       "${full[@]}" ;;
     *) run "$part" "$data" "$part" "${full[@]}" ;;
   esac

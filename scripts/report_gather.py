@@ -3,14 +3,14 @@ report.sh.
 
     report_gather.py HVL_RENDER ZONAL_REPORT_DATA FOLDER [--quick|--full]
 """
-import csv
-import json
 import math
 import os
 import pathlib
 import subprocess
 import sys
 import tempfile
+
+from report_render import reported, write
 
 FIELDS = ["part", "label", "scene", "width", "height", "visibility", "method", "lights", "bands", "emission_bands",
           "vsl_samples", "vsgl_texels", "vpl_clamp", "paths", "material_s", "lights_s", "gather_s", "rmse", "psnr_db", "ssim",
@@ -85,15 +85,13 @@ class Renderer:
 
     def run(self, scene, size, method, **options):
         """hvl-render's JSON."""
-        report = self.scratch / "report.json"
         command = [self.program, "--quiet", "--antialias", "1", "--size", f"{size[0]}x{size[1]}", *self.scenes[scene],
-                   "--method", method, "--report", str(report)]
+                   "--method", method]
         if method == "hvl":
-            command += ["--material-cache", str(self.scratch)]
+            command += ["--material-cache", self.scratch]
         for name, value in options.items():
-            command += ["--" + name.replace("_", "-"), str(value)]
-        subprocess.run(command, check=True)
-        return json.loads(report.read_text(encoding="utf-8"))
+            command += ["--" + name.replace("_", "-"), value]
+        return reported(self.scratch, *command)
 
     def reference(self, scene, size, paths, picture="second.exr"):
         """Renders it twice, with different seeds: the difference is the error of either, times the root of 2."""
@@ -207,18 +205,6 @@ def figure_12(renderer, plan):
     yield zonal
     yield render("12b", "vpl", time_budget=seconds_of(zonal))
     yield render("12c", "vsgl", time_budget=seconds_of(zonal), vsgl_texels=14)
-
-
-def write(path, fields, rows):
-    """Row by row, under another name until it is whole."""
-    unfinished = path.with_suffix(".tmp")
-    with open(unfinished, "w", encoding="utf-8", newline="") as file:
-        writer = csv.DictWriter(file, fields, restval="", lineterminator="\n")
-        writer.writeheader()
-        for row in rows:
-            writer.writerow({key: f"{value:.6g}" if isinstance(value, float) else value for key, value in row.items()})
-            file.flush()
-    os.replace(unfinished, path)
 
 
 def main(program, report_data, folder, *options):

@@ -318,6 +318,77 @@ def screen_sets(folder):
     save(figure, folder, "screen_sets")
 
 
+FIELD_STYLE = {"linear": (BLUE, "o"), "mean": (ORANGE, "s"), "nearest": (GREEN, "v"), "space": (RED, "D")}
+FIELD_NAME = {"linear": "linear fit", "mean": "mean", "nearest": "linear fit, nearest repair", "space": "the paper's steps"}
+FIELD_SETUP = {"projector": "area light and projector", "spots": "half-blocked spot and cone"}
+
+
+def grid_ticks(axis, values):
+    axis.set_xticks(values, [f"{value:.0f}" for value in values])
+    axis.xaxis.set_minor_locator(matplotlib.ticker.NullLocator())
+
+
+def field_axis(axis, rows, **titles):
+    axis.set(xscale="log", yscale="log", xlabel="grid points along an edge", **titles)
+    grid_ticks(axis, distinct(rows, "resolution"))
+
+
+def field(folder):
+    """Above, error by number of probes; below, of most probes by method."""
+    rows = where(read(folder, "field"), part="error")
+    if not rows:
+        return
+    counts, setups = distinct(rows, "probes"), distinct(rows, "setup")
+    shades = dict(zip(counts, (SKY, PURPLE, BLUE)))
+    figure, axes = panels(2, len(setups), height=3.0, sharex=True, sharey=True)
+    for column, setup in zip(axes.T, setups):
+        here = where(rows, setup=setup)
+        for probes in counts:
+            line = where(here, probes=probes, method="linear", interpolation="trilinear")
+            column[0].plot([row["resolution"] for row in line], [row["error"] for row in line], "o-",
+                           color=shades[probes])
+        for method, interpolation in distinct(where(here, probes=counts[-1]), "method", "interpolation"):
+            colour, marker = FIELD_STYLE[method]
+            line = where(here, probes=counts[-1], method=method, interpolation=interpolation)
+            column[1].plot([row["resolution"] for row in line], [row["error"] for row in line], color=colour,
+                           marker=marker, linestyle=":" if interpolation == "hermite" else "-")
+        column[0].set(title=FIELD_SETUP[setup])
+        for axis in column:
+            field_axis(axis, rows)
+    for axis in axes[:, 0]:
+        axis.set_ylabel("error / RMS of coefficients")
+    plain_ticks(axes[0][0].yaxis)
+    handles = [key(f"{probes:.0f} probes", color=shades[probes], marker="o") for probes in counts]
+    handles += [key(FIELD_NAME[method], color=colour, marker=marker) for method, (colour, marker) in FIELD_STYLE.items()]
+    legend_below(figure, handles + [key("linear fit, Hermite", color=BLUE, marker="o", linestyle=":")], 4)
+    save(figure, folder, "field")
+
+
+def bake_line(rows, x, **conditions):
+    """Seconds that bakes take, the mean of the set-ups, against probes or vertices."""
+    chosen = where(rows, interpolation="trilinear", **conditions)
+    groups = [(value, [row["bake_s"] for row in where(chosen, **{x: value})]) for value in distinct(chosen, x)]
+    return [(value ** 3 if x == "resolution" else value, sum(times) / len(times)) for value, times in groups]
+
+
+def field_time(folder):
+    rows = where(read(folder, "field"), part="error")
+    if not rows:
+        return
+    most, edge = distinct(rows, "probes")[-1], distinct(rows, "resolution")[-1]
+    figure, axes = panels(1, 2, height=2.9)
+    axes[0][0].plot(*zip(*bake_line(rows, "probes", method="linear", resolution=edge)), "o-", color=BLUE)
+    axes[0][0].set(xscale="log", yscale="log", xlabel="probes", ylabel="resampling, s", title=f"{edge:.0f}³ points")
+    for method in ("linear", "mean", "space"):
+        colour, marker = FIELD_STYLE[method]
+        axes[0][1].plot(*zip(*bake_line(rows, "resolution", method=method, probes=most)), color=colour, marker=marker,
+                        label=FIELD_NAME[method])
+    axes[0][1].set(xscale="log", yscale="log", xlabel="grid points", title=f"{most:.0f} probes")
+    axes[0][1].legend()
+    plain_ticks(axes[0][0].xaxis)
+    save(figure, folder, "field_time")
+
+
 def overview(folder):
     """The README's: one panel each of the basis, virtual lights and grids, beside the rivals."""
     basis, interpolation_rows = read(folder, "evaluation"), read(folder, "interpolation")
@@ -358,4 +429,5 @@ def overview(folder):
     save(figure, folder, "overview")
 
 
-ALL = [gather, evaluation, interpolation, triangles, materials, furnace, screen, screen_sets, overview]
+ALL = [gather, evaluation, interpolation, triangles, materials, furnace, screen, screen_sets, field,
+       field_time, overview]

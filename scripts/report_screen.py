@@ -2,17 +2,15 @@
 
     report_screen.py IGI_RENDER FOLDER [--quick|--full]
 """
-import json
 import math
 import pathlib
-import subprocess
 import sys
 import tempfile
 
 import numpy
 from PIL import Image
 
-from report_gather import write
+from report_render import joined, reported, write
 
 FIELDS = ["part", "scene", "width", "height", "pattern", "sets", "samples", "seeds", "filter", "bytes", "light_s",
           "filter_s", "shading_s", "reference_s", "rmse", "linear_rmse"]
@@ -75,10 +73,8 @@ class Renderer:
 
     def run(self, scene, size, pattern, samples, *options):
         """igi-render's JSON."""
-        report = self.scratch / "report.json"
-        subprocess.run([self.program, "--quiet", "--size", f"{size[0]}x{size[1]}", *self.scenes[scene], "--pattern",
-                        pattern, "--sets", str(samples), "--report", str(report), *map(str, options)], check=True)
-        return json.loads(report.read_text(encoding="utf-8"))
+        return reported(self.scratch, self.program, "--quiet", "--size", f"{size[0]}x{size[1]}", *self.scenes[scene],
+                        "--pattern", pattern, "--sets", samples, *options)
 
     def compared(self, scene, pattern):
         """The folder of a comparison's pictures."""
@@ -144,18 +140,6 @@ def part_of(picture, corner, share=CLOSE_UP_SIZE):
     width, height = picture.size
     left, top = round(corner[0] * width), round(corner[1] * height)
     return picture.crop((left, top, left + round(share * width), top + round(share * height)))
-
-
-def joined(pictures, across=True, gap=4):
-    """Beside each other, or below."""
-    widths, heights = zip(*(picture.size for picture in pictures))
-    gaps = gap * (len(pictures) - 1)
-    size = (sum(widths) + gaps, max(heights)) if across else (max(widths), sum(heights) + gaps)
-    whole, at = Image.new("RGB", size, "white"), 0
-    for picture in pictures:
-        whole.paste(picture, (at, 0) if across else (0, at))
-        at += picture.size[0 if across else 1] + gap
-    return whole
 
 
 class Pictures:

@@ -15,7 +15,8 @@ namespace example::grid_render {
 class Fields {
  public:
   /// `loaded` stands for all grids, if it is there.
-  Fields(const Scene& scene, const SphereLights& lights, const Report& report, std::unique_ptr<LightGrid> loaded);
+  Fields(const Scene& scene, const RayCaster& caster, const SphereLights& lights, const Report& report,
+         std::unique_ptr<LightGrid> loaded);
 
   /// Sets the pass's facts. The field must not outlive this.
   std::unique_ptr<LightField> field(Pass& pass);
@@ -38,6 +39,7 @@ class Fields {
   Made build(Shape shape, const glm::ivec3& resolution, GridContent content);
 
   const Scene& scene_;
+  const RayCaster& caster_;
   const SphereLights& lights_;
   const Options& options_;
   Bounds box_;

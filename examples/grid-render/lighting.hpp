@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include <zonal/grid/coefficient_grid.hpp>
@@ -33,8 +34,12 @@ class LightField : public Interface {
 class LightGrid : public Interface {
  public:
   virtual glm::ivec3 resolution() const = 0;
+  /// Of what the vertices see, beside the grid's own.
+  virtual std::size_t visibility_bytes() const { return 0; }
   /// The grid must outlive it.
   virtual std::unique_ptr<LightField> interpolated(zonal::Interpolation method) const = 0;
+  /// By what each point sees of the vertices: of grids that know.
+  virtual std::unique_ptr<LightField> visible() const { throw std::logic_error("a grid without visibility"); }
   /// Throws zonal::GridFileError; the file is then what it was.
   virtual void save(const std::filesystem::path& path) const = 0;
 };

@@ -4,7 +4,8 @@
 //
 // Each point seen gets the light of all lights in --bands bands, exactly or interpolated, and reflects it by
 // convolutions: with the clamped cosine about its normal, and with each glossy lobe about the mirrored view direction
-// (reflector.hpp). Nothing casts a shadow: as in the paper, there is no visibility.
+// (reflector.hpp). Nothing casts a shadow, as in the paper; unless the light is found by --paths (paths.hpp), which
+// --visibility then keeps from leaking through walls.
 #include <algorithm>
 #include <cstdio>
 #include <memory>
@@ -93,6 +94,7 @@ void finish(Report& report) {
   warn_if_black(program_name, report.passes.front().picture, report.counts.primary_hits);
   for (Comparison& comparison : report.comparisons) {
     const Image& reference = report.passes[comparison.reference].picture;
+    comparison.leak = leak(report.passes[comparison.picture].picture, reference);
     comparison.errors = compare(report.passes[comparison.picture].picture, reference, report.options.display);
   }
 }
@@ -137,7 +139,7 @@ void run(const Options& options) {
   report.counts.triangles = scene.mesh.triangles.size();
   report.counts.materials = scene.materials.size();
   report.counts.lights = lights.size();
-  Fields fields(scene, lights, report, std::move(loaded));
+  Fields fields(scene, caster, lights, report, std::move(loaded));
   render(scene, caster, fields, report);
   finish(report);
   throw_if_interrupted();

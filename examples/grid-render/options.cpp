@@ -112,6 +112,17 @@ void add_grid_options(CLI::App& app, Options& options) {
       ->type_name("FILE")
       ->check(not_empty())
       ->group(group);
+  CLI::Option* paths = add_number(
+      app, "--paths", options.paths, 1, 65536, "1...65536",
+      "Light by so many paths at each vertex, and point seen of the reference: lights cast shadows, and "
+      "surfaces light each other. The grid has no gradients, is trilinear, and its vertices are moved out of "
+      "walls");
+  paths->group(group);
+  app.add_flag("--visibility", options.is_visible,
+               "Weigh vertices by what each point sees of them, against light that leaks "
+               "through walls; --compare does so beside plain weights")
+      ->group(group)
+      ->needs(paths);
   add_choice(app, "--window", window_names, options.window, "What tames the ringing of the glossy lobes")->group(group);
 }
 
@@ -123,6 +134,7 @@ void add_exclusions(CLI::App& app) {
   exclude("--compare-shapes", {"--interpolation", "--out", "--shape", "--save-grid", "--load-grid"});
   exclude("--compare", {"--save-grid", "--load-grid"});
   exclude("--load-grid", {"--save-grid", "--grid", "--lights", "--texture", "--shape"});
+  exclude("--paths", {"--interpolation", "--compare-shapes", "--shape", "--save-grid", "--load-grid"});
 }
 
 void check(const Options& options) {
@@ -144,7 +156,7 @@ CommandLine<Options> parse_command_line(int argc, char** argv) {
   CLI::App app(
       "Renders a scene lit by many sphere or triangle lights: their spherical\n"
       "harmonics and the gradients, computed at the vertices of a 3D grid and\n"
-      "interpolated between. No light casts a shadow.",
+      "interpolated between. No light casts a shadow, unless by --paths.",
       "grid-render");
   set_up(app);
   add_output_options(app, line.options);

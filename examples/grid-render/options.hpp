@@ -31,6 +31,8 @@ struct Options : CommonOptions {
   zonal::Window window = zonal::Window::none;
   glm::ivec3 grid{8};
   Method method = zonal::Interpolation::hermite;
+  int paths = 0;                  // at each vertex and point seen; 0: lights that nothing blocks
+  bool is_visible = false;        // look-ups weigh vertices by what is seen of them
   bool comparing_shapes = false;  // of the two that compare into a directory
   std::string save_grid;          // empty: nowhere
   std::string load_grid;          // empty: computed

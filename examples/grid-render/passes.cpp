@@ -21,6 +21,19 @@ Pass pass_on_grid(const std::string& name, Shape shape, zonal::Interpolation met
 
 Pass pass_without_grid(const std::string& name, Shape shape) { return {name, {shape, std::nullopt}}; }
 
+Pass pass_by_paths(const std::string& name, const Options& options, bool is_visible) {
+  Pass pass = pass_on_grid(name, Shape::spheres, zonal::Interpolation::trilinear, options.grid);
+  pass.technique.is_visible = is_visible;
+  return pass;
+}
+
+/// Paths at every point, and on a grid with plain weights and by what is seen.
+std::vector<Pass> passes_by_paths(const Options& options) {
+  if (!options.comparing()) return {pass_by_paths("picture", options, options.is_visible)};
+  return {pass_without_grid("reference", Shape::spheres), pass_by_paths("trilinear", options, false),
+          pass_by_paths("visible", options, true)};
+}
+
 std::vector<Pass> single_pass(const Options& options) {
   const std::string name = "picture";
   if (!options.method) return {pass_without_grid(name, options.shape)};
@@ -71,6 +84,7 @@ std::vector<Comparison> comparisons_by_shape(const std::vector<Pass>& passes) {
 }  // namespace
 
 std::vector<Pass> passes_of(const Options& options) {
+  if (options.paths > 0) return passes_by_paths(options);
   if (!options.comparing()) return single_pass(options);
   return options.comparing_shapes ? passes_by_shape(options) : passes_by_interpolation(options);
 }

@@ -49,6 +49,20 @@ std::string interpolation_table(const Report& report) {
   return align(rows);
 }
 
+/// Each pass against paths at every point.
+std::string path_table(const Report& report) {
+  std::vector<Row> rows{joined(joined(pass_titles, {"visibility, MiB"}), {"leak / mean, 1e-3", "MAE / mean, 1e-3"})};
+  rows.push_back(joined(pass_cells(report.passes.front()), {"-", "-", "-"}));
+  for (const Comparison& comparison : report.comparisons) {
+    const Pass& pass = report.passes[comparison.picture];
+    const std::size_t bytes = pass.grid ? pass.grid->visibility_bytes : 0;
+    rows.push_back(joined(pass_cells(pass), {format("%.2f", static_cast<double>(bytes) / 1048576.0),
+                                             number_text("%.3f", 1e3 * comparison.leak),
+                                             number_text("%.3f", 1e3 * comparison.errors.linear_mae)}));
+  }
+  return align(rows);
+}
+
 std::string comparison_table(const Report& report) {
   std::vector<Row> rows{joined({"", "against"}, error_titles)};
   for (const Comparison& comparison : report.comparisons) {
@@ -60,6 +74,7 @@ std::string comparison_table(const Report& report) {
 
 std::string tables(const Report& report) {
   if (!report.options.comparing()) return pass_table(report);
+  if (report.options.paths > 0) return path_table(report);
   if (!report.options.comparing_shapes) return interpolation_table(report);
   return pass_table(report) + "\n" + comparison_table(report);
 }
@@ -70,6 +85,20 @@ std::string lights_text(const Report& report) {
 }
 
 }  // namespace
+
+double leak(const Image& picture, const Image& reference) {
+  const auto brightness = [](const glm::vec3& c) { return static_cast<double>(c.r + c.g + c.b) / 3.0; };
+  double mean = 0.0, squares = 0.0;
+  for (const glm::vec3& pixel : reference.pixels) mean += brightness(pixel);
+  mean /= static_cast<double>(reference.pixels.size());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < reference.pixels.size(); ++i) {
+    if (!(brightness(reference.pixels[i]) < 1e-3 * mean)) continue;
+    squares += std::pow(brightness(picture.pixels[i]), 2);
+    ++count;
+  }
+  return std::sqrt(squares / static_cast<double>(count)) / mean;
+}
 
 double equal_time_resolution(const Report& report) {
   const Pass *gradients = nullptr, *values = nullptr;
@@ -86,8 +115,12 @@ double equal_time_resolution(const Report& report) {
 std::string table(const Report& report) {
   const Options& options = report.options;
   std::string text = tables(report) + lights_text(report);
-  text += format(", %d bands, lobes %d; %zu points shaded; no shadows.\n", options.bands, options.lobe_bands,
+  text += format(", %d bands, lobes %d; %zu points shaded; ", options.bands, options.lobe_bands,
                  report.counts.primary_hits);
+  text += options.paths > 0 ? format("%d paths each.\n", options.paths) : std::string("no shadows.\n");
+  if (options.comparing() && options.paths > 0) {
+    return text + "Leak: radiance, root mean square, where the reference is black.\n";
+  }
   if (!options.comparing()) return text;
   text += format("MAE: of display values, and of radiance; pictures of differences: display values x %.0f.\n",
                  static_cast<double>(difference_factor));

@@ -23,13 +23,15 @@ struct GridFacts {
   glm::ivec3 resolution{0};
   std::size_t bytes = 0;
   double seconds = 0.0;  // to build
+  std::size_t visibility_bytes = 0;
 };
 
 /// How the light at a point comes about.
 struct Technique {
   Shape shape;
   Method method;
-  bool is_zonal = false;  // zonal by zonal, with the cosine of the centre (zonal_field.hpp)
+  bool is_zonal = false;    // zonal by zonal, with the cosine of the centre (zonal_field.hpp)
+  bool is_visible = false;  // by what is seen of the vertices
 };
 
 /// One way to the picture.
@@ -49,6 +51,7 @@ struct Comparison {
   std::size_t picture, reference;  // numbers of passes
   std::string name;                // of the picture of differences
   ImageErrors errors = {};
+  double leak = 0.0;  // root mean square of radiance where the reference is black, in units of its mean
 };
 
 struct Counts : RunCounts {
@@ -72,6 +75,10 @@ constexpr float difference_factor = 40.0f;
 /// How many vertices on an axis values alone would have in the time that the gradients' grid took to build, if a vertex
 /// takes as long as in the trilinear grid of equal memory; for a cube. Zero where nothing was compared.
 double equal_time_resolution(const Report& report);
+
+/// Root mean square of the picture's radiance where the reference's is less than a thousandth of its mean, in units of
+/// this mean.
+double leak(const Image& picture, const Image& reference);
 
 /// The aligned table for the terminal.
 std::string table(const Report& report);

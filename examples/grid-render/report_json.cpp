@@ -22,6 +22,8 @@ nlohmann::json options_json(const Options& options) {
                {"load_grid", options.load_grid},
                {"bands", options.bands},
                {"lobe_bands", options.lobe_bands},
+               {"paths", options.paths},
+               {"visibility", options.is_visible},
                {"window", name_of(window_names, options.window)}});
   return json;
 }
@@ -41,7 +43,8 @@ nlohmann::json pass_json(const Pass& pass) {
   if (pass.grid) {
     json["grid"] = {{"resolution", vector_json(pass.grid->resolution)},
                     {"bytes", pass.grid->bytes},
-                    {"seconds", pass.grid->seconds}};
+                    {"seconds", pass.grid->seconds},
+                    {"visibility_bytes", pass.grid->visibility_bytes}};
   }
   return json;
 }
@@ -57,6 +60,7 @@ void add_errors(nlohmann::json& passes, const Report& report) {
     json["errors"]["mae_over_trilinear"] = number_or_null(errors.mae / trilinear.mae);
     json["errors"]["linear_mae_relative_to_mean_over_trilinear"] =
         number_or_null(errors.linear_mae / trilinear.linear_mae);
+    if (report.options.paths > 0) json["leak"] = number_or_null(comparison.leak);
     json["speed_up"] = number_or_null(report.passes[comparison.reference].total() / pass.total());
   }
 }
@@ -80,7 +84,7 @@ std::string json_text(const Report& report) {
     add_comparisons(json["comparisons"], report);
   } else if (report.options.comparing()) {
     add_errors(json["passes"], report);
-    json["equal_time_resolution"] = number_or_null(equal_time_resolution(report));
+    if (report.options.paths == 0) json["equal_time_resolution"] = number_or_null(equal_time_resolution(report));
   }
   if (report.options.comparing()) {
     json["difference_pictures"] = {{"quantity", "absolute difference of display values"},

@@ -52,7 +52,7 @@ CLI::Validator box_corners() {
 std::string scene_names() {
   std::string text;
   for (const auto& [name, finish] : atrium_names) text += name + "|";
-  return text + "furnace|FILE.obj";
+  return text + "furnace|rooms|FILE.obj";
 }
 
 }  // namespace

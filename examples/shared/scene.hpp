@@ -68,6 +68,9 @@ Scene make_atrium(AtriumFinish finish = AtriumFinish::mixed);
 /// A white sphere about its light, seen from inside. All that it reflects once is the same at all its points.
 Scene make_furnace();
 
+/// Two rooms, open in front, with a wall of 2 cm between. The lights hang in the left one; in the right one it is dark.
+Scene make_rooms();
+
 enum class UpAxis { y, z };
 enum class ViewPlace { automatic, inside, outside };
 

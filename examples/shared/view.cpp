@@ -12,6 +12,7 @@ Scene open_scene(const CommonOptions& options) {
     if (options.scene == name) return make_atrium(finish);
   }
   if (options.scene == "furnace") return make_furnace();
+  if (options.scene == "rooms") return make_rooms();
   return load_obj(options.scene, options.obj);
 }
 

@@ -64,7 +64,7 @@ struct Capture {
   }
   Grid in_memory() const {
     Grid result = grid;
-    REQUIRE(resample<Sums>(result, buckets, samples, places, 0.05F));
+    REQUIRE(zonal::resample<Sums>(result, buckets, samples, places, 0.05F));
     return result;
   }
 };
@@ -118,7 +118,7 @@ TEST_CASE("the paper's steps go on as well") {
   const Capture capture;
   const SlowSums::Grid grid(glm::vec3(0), glm::vec3(1), glm::ivec3(4));
   SlowSums::Grid expected = grid, result = grid;
-  REQUIRE(resample<SlowSums>(expected, capture.buckets, capture.samples, capture.places, 0.05F));
+  REQUIRE(zonal::resample<SlowSums>(expected, capture.buckets, capture.samples, capture.places, 0.05F));
   const auto folder = capture.bake_folder();
   capture.sort(folder);
   for (bool is_done = false; !is_done;) {

@@ -74,19 +74,6 @@ struct TwoThreads {
   }
 };
 
-template <class Sums, class ForEach = TwoThreads>
-bool resample(typename Sums::Grid& grid, const DirectionBuckets& buckets, const std::vector<RadianceSample>& samples,
-              const std::vector<ProbePlace>& probes, float sphere_radius, const zonal::Resampling& resampling = {},
-              const ForEach& for_each = {}) {
-  Sums sums(grid);
-  constexpr std::size_t most = zonal::SampleBlock::most_buckets;
-  for (std::size_t first = 0; first < buckets.size(); first += most) {
-    const zonal::SampleBlock block{first, (std::min)(most, buckets.size() - first), &samples[first * probes.size()]};
-    sums.add(buckets, block, probes, sphere_radius, resampling, for_each);
-  }
-  return sums.finish(grid);
-}
-
 /// The field's coefficients at a place, from its radiance in all buckets.
 template <int N, class Field>
 zonal::Sh<N, glm::dvec3> true_coefficients(const DirectionBuckets& buckets, const Field& field,

@@ -31,7 +31,8 @@ double error_of(const Field& field, const DirectionBuckets& buckets, int probe_c
                 const Resampling& resampling) {
   const auto probes = random_probes(probe_count, low, high, 3);
   ValueGrid grid(low, high, {2 * resolution - 1, resolution, resolution});
-  REQUIRE(resample<Sums>(grid, buckets, take_samples(buckets, probes, 0.03F, field), probes, 0.03F, resampling));
+  REQUIRE(zonal::resample<Sums>(grid, buckets, take_samples(buckets, probes, 0.03F, field), probes, 0.03F, resampling,
+                                TwoThreads{}));
   Errors errors;
   zonal::detail::for_each_point(grid.resolution(), [&](int i, int j, int k, std::size_t) {
     errors.add(grid.value({i, j, k}), true_coefficients<5>(buckets, field, grid.position({i, j, k})));
@@ -62,9 +63,9 @@ TEST_CASE("a field of far lights comes back everywhere, by any probes") {
     for (const Resampling& how : {Resampling{}, Resampling::of_paper(), Resampling{0, zonal::Repair::nearest}}) {
       GradientGrid grid(low, high, {5, 7, 9});  // cells that are no cubes, points that are no whole tiles
       ValueGrid slow(low, high, {5, 7, 9});
-      REQUIRE(
-          resample<zonal::FieldSums<5, GridContent::values_and_gradients>>(grid, buckets, samples, probes, 0.05F, how));
-      REQUIRE(resample<zonal::ReferenceFieldSums<5>>(slow, buckets, samples, probes, 0.05F, how));
+      REQUIRE(zonal::resample<zonal::FieldSums<5, GridContent::values_and_gradients>>(grid, buckets, samples, probes,
+                                                                                      0.05F, how));
+      REQUIRE(zonal::resample<zonal::ReferenceFieldSums<5>>(slow, buckets, samples, probes, 0.05F, how));
       zonal::detail::for_each_point(grid.resolution(), [&](int i, int j, int k, std::size_t) {
         const auto at = grid.value_with_gradient({i, j, k});
         const auto reference = slow.value({i, j, k});
@@ -88,7 +89,7 @@ TEST_CASE("a field of one radiance has one coefficient") {
     return RadianceSample{2, 3, 4};
   });
   ValueGrid grid(low, high, {3, 4, 5});
-  REQUIRE(resample<Sums>(grid, buckets, samples, probes, 0));
+  REQUIRE(zonal::resample<Sums>(grid, buckets, samples, probes, 0));
   zonal::detail::for_each_point(grid.resolution(), [&](int i, int j, int k, std::size_t) {
     const auto value = grid.value({i, j, k});
     REQUIRE(glm::length(value[0] - glm::vec3(2, 3, 4) * 3.5449077F) <= 2e-5F);
@@ -130,7 +131,7 @@ TEST_CASE("the gradients are the field's") {
   const Glow field{{0.2F, 0.1F, 4.5F}, false};
   const auto probes = random_probes(1600, low, high, 5);
   GradientGrid grid(low, high, {17, 9, 9});
-  REQUIRE(resample<zonal::FieldSums<5, GridContent::values_and_gradients>>(
+  REQUIRE(zonal::resample<zonal::FieldSums<5, GridContent::values_and_gradients>>(
       grid, buckets, take_samples(buckets, probes, 0.03F, field), probes, 0.03F));
   Errors slopes, trilinear, hermite;
   for (const ProbePlace& place : random_probes(200, low, high, 6)) {
@@ -159,7 +160,8 @@ TEST_CASE("rays begin on the mirror sphere") {
   const auto probes = random_probes(800, low, high, 7);
   const auto error = [&](float taken_with, float resampled_with) {
     ValueGrid grid(low, high, {17, 9, 9});
-    REQUIRE(resample<Sums>(grid, buckets, take_samples(buckets, probes, taken_with, field), probes, resampled_with));
+    REQUIRE(
+        zonal::resample<Sums>(grid, buckets, take_samples(buckets, probes, taken_with, field), probes, resampled_with));
     Errors errors;
     zonal::detail::for_each_point(grid.resolution(), [&](int i, int j, int k, std::size_t) {
       errors.add(grid.value({i, j, k}), true_coefficients<5>(buckets, field, grid.position({i, j, k})));
@@ -178,8 +180,8 @@ TEST_CASE("the bits do not depend on the threads") {
   const auto samples = take_samples(buckets, probes, 0, Glow{{0, 0, 4}, true});
   GradientGrid one(low, high, {6, 7, 5}), two = one;
   using SlopeSums = zonal::FieldSums<5, GridContent::values_and_gradients>;
-  REQUIRE(resample<SlopeSums>(one, buckets, samples, probes, 0, {}, zonal::SerialForEach{}));
-  REQUIRE(resample<SlopeSums>(two, buckets, samples, probes, 0, {}, TwoThreads{}));
+  REQUIRE(zonal::resample<SlopeSums>(one, buckets, samples, probes, 0, {}, zonal::SerialForEach{}));
+  REQUIRE(zonal::resample<SlopeSums>(two, buckets, samples, probes, 0, {}, TwoThreads{}));
   REQUIRE(is_same(one, two));
 }
 
@@ -193,16 +195,16 @@ TEST_CASE("what no probe shows counts as the mean of the rest, a sample that is 
     if (is_hidden(n / probes.size()) || random() % 4 == 0) samples[n] = zonal::kNoSample;
   }
   ValueGrid grid(low, high, {4, 4, 4});
-  REQUIRE(resample<Sums>(grid, buckets, samples, probes, 0));
+  REQUIRE(zonal::resample<Sums>(grid, buckets, samples, probes, 0));
   for (int n = 0; n < 25; ++n) {
     const glm::vec3 expected = n == 0 ? glm::vec3(1, 2, 3) * 3.5449077F : glm::vec3(0);
     REQUIRE(glm::length(grid.value({1, 2, 3})[n] - expected) <= 1e-4F);  // of 13
   }
 
   const std::vector<RadianceSample> none(samples.size(), zonal::kNoSample);
-  REQUIRE(!resample<Sums>(grid, buckets, none, probes, 0));
+  REQUIRE(!zonal::resample<Sums>(grid, buckets, none, probes, 0));
   REQUIRE(grid.value({1, 2, 3})[0] == glm::vec3(0));
   std::vector<ProbePlace> far = probes;  // of which some rays overflow, and none meets the box
   for (ProbePlace& probe : far) probe.position = {3e38F, 3e38F, -3e38F};
-  REQUIRE(!resample<Sums>(grid, buckets, samples, far, 0));
+  REQUIRE(!zonal::resample<Sums>(grid, buckets, samples, far, 0));
 }

@@ -37,6 +37,10 @@ foreach(option save load)
 endforeach()
 program_case("grid both saved and loaded" 2 "" "grid-render: --save-grid excludes --load-grid"
   $<TARGET_FILE:grid-render> --load-grid box.grid --save-grid x.grid)
+refused("visibility without paths" "--visibility requires --paths" --visibility)
+refused("paths and an interpolation" "--interpolation excludes --paths" --paths 4 --interpolation hermite)
+refused("paths and a file" "--save-grid excludes --paths" --paths 4 --save-grid x.grid)
+refused("no paths" "--paths: '0' is not in 1...65536" --paths 0)
 refused("resolution of a loaded grid" "--grid excludes --load-grid" --load-grid box.grid)
 
 # ---- Files ----------------------------------------------------------------------------------------------------------
@@ -114,5 +118,9 @@ set_tests_properties("grid-render: errors in the atrium" PROPERTIES TIMEOUT 60)
 add_test(NAME "grid-render: errors of the shapes" COMMAND ${CMAKE_COMMAND} -Dprogram=$<TARGET_FILE:grid-render>
   -Dfolder=${work_dir}/shapes -P ${programs_dir}/grid_shapes.cmake)
 set_tests_properties("grid-render: errors of the shapes" PROPERTIES TIMEOUT 60)
+
+add_test(NAME "grid-render: leak through the wall of the rooms" COMMAND ${CMAKE_COMMAND}
+  -Dprogram=$<TARGET_FILE:grid-render> -Dfolder=${work_dir}/leak -P ${programs_dir}/grid_leak.cmake)
+set_tests_properties("grid-render: leak through the wall of the rooms" PROPERTIES TIMEOUT 120)
 
 example_test(grid_render_test.cpp)

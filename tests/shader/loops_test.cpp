@@ -2,6 +2,7 @@
 // the same kernels in C++.
 #include <zonal/grid/add_lights.hpp>
 #include <zonal/grid/interpolate.hpp>
+#include <zonal/grid/interpolate_visible.hpp>
 #include <zonal/lobe/lambert.hpp>
 #include <zonal/lobe/phong.hpp>
 #include <zonal/screen/shade.hpp>
@@ -290,4 +291,132 @@ TEST_CASE("A gather of 10 bands compiles in less than 10 s") {
   run_gather(*driver, GatherScene(10, 1, 1), gather_example(10, "gather"));
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   CHECK(seconds < 10);
+}
+
+namespace {
+
+/// What visible look-ups give in C++ by the kernels of the registry, operation by operation as the shell has them: the
+/// look-ups themselves are compiled to melt into their callers, where products may be fused.
+template <int N, zonal::Interpolation method>
+std::vector<float> visible_in_cpp(const zonal::CoefficientGrid<N>& grid, const zonal::GridVisibility& visibility,
+                                  const float* place) {
+  const std::vector<float> p(place, place + 3), normal(place + 3, place + 6);
+  std::vector<float> inputs = p;
+  SceneRandom::append(inputs, grid.low());
+  SceneRandom::append(inputs, grid.high());
+  SceneRandom::append(inputs, glm::vec3(grid.resolution()));
+  const std::vector<float> cells = run_in_cpp("cell_position", 1, all_orders, inputs);
+  const glm::vec3 size = (grid.high() - grid.low()) / glm::vec3(grid.resolution() - 1);
+  glm::ivec3 cell;
+  glm::vec3 t;
+  for (int a = 0; a < 3; ++a) {
+    cell[a] = std::min(static_cast<int>(cells[static_cast<std::size_t>(a)]), grid.resolution()[a] - 2);
+    t[a] = cells[static_cast<std::size_t>(a)] - static_cast<float>(cell[a]);
+  }
+  const auto rings = static_cast<float>(visibility.rings());
+  std::vector<float> weigh{t.x, t.y, t.z, size.x, size.y, size.z};
+  std::size_t vertices[8];
+  for (int c = 0; c < 8; ++c) {
+    const glm::ivec3 corner(c & 1, c >> 1 & 1, c >> 2);
+    const std::size_t vertex = vertices[c] = grid.vertex_index(cell + corner);
+    const float* const numbers = visibility.data() + vertex * visibility.vertex_size();
+    inputs = slice(weigh, 0, 6);
+    SceneRandom::append(inputs, glm::vec3(corner));
+    SceneRandom::append(inputs, visibility.offset(vertex));
+    append(inputs, normal);
+    inputs.push_back(rings);
+    const std::vector<float> at = run_in_cpp("visibility_place", 1, all_orders, inputs);
+    const zonal::detail::MapNodes nodes(at[1], at[2], visibility.rings());
+    inputs = {at[0]};
+    for (const int number : {4, 5}) {
+      for (const int node : nodes.node) inputs.push_back(numbers[number + 2 * node]);
+    }
+    inputs.insert(inputs.end(), {nodes.x, nodes.y});
+    weigh.push_back(numbers[3] * run_in_cpp("seen_share", 1, all_orders, inputs)[0]);
+  }
+  constexpr int blocks = zonal::blocks_read(method);
+  const std::vector<float> weights =
+      run_in_cpp(blocks == 1 ? "visible_trilinear_weights" : "visible_hermite_weights", 1, all_orders, weigh);
+  std::vector<float> sh;
+  for (std::size_t i = 0; i < grid.block_size; ++i) {
+    float sum = 0;
+    for (std::size_t c = 0; c < 8; ++c) {
+      for (std::size_t b = 0; b < blocks; ++b) {
+        sum = sum + weights[c * blocks + b] * grid.data()[vertices[c] * grid.vertex_size + b * grid.block_size + i];
+      }
+    }
+    sh.push_back(sum);
+  }
+  return sh;
+}
+
+template <zonal::Interpolation method>
+void check_visible(Driver& driver, const std::string& name) {
+  constexpr int N = 2;
+  const glm::vec3 low(-1), high(1);
+  zonal::CoefficientGrid<N> grid(low, high, {3, 4, 2});
+  SceneRandom random(14);
+  for (std::size_t i = 0; i < grid.size(); ++i) grid.data()[i] = random.uniform(-1, 1);
+  zonal::GridVisibility visibility(grid, 3);
+  for (std::size_t vertex = 0; vertex < visibility.vertex_count(); ++vertex) {
+    visibility.set_place(vertex, random.vector(-0.1F, 0.1F), random.uniform(0, 1) < 0.25F);
+    for (int node = 0; node < visibility.node_count(); ++node) {
+      visibility.set_node(vertex, node, random.uniform(0, 3), random.uniform(0.01F, 1));
+    }
+  }
+  constexpr std::size_t count = 256, size = 3 * N * N;
+  std::vector<float> places;
+  for (std::size_t i = 0; i < count; ++i) {
+    SceneRandom::append(places, random.vector(-1.2F, 1.2F));
+    SceneRandom::append(places, i == 0 ? glm::vec3(0) : random.direction());
+  }
+  zonal_glsl::Request request;
+  request.functions = {"interpolate_visible_" + name};
+  request.bands = N;
+  request.text.precise = true;
+  const unsigned program = driver.compile(
+      "#version 450\nlayout(local_size_x = 64) in;\n"
+      "layout(std430, binding = 0) readonly buffer Grid { float grid[]; };\n"
+      "layout(std430, binding = 1) readonly buffer Visibility { float visibility[]; };\n"
+      "layout(std430, binding = 2) readonly buffer Places { float places[]; };\n"
+      "layout(std430, binding = 3) writeonly buffer Results { float results[]; };\n"
+      "#define ZONAL_GRID(i) grid[i]\n#define ZONAL_VISIBILITY(i) visibility[i]\n"
+      "#define ZONAL_VISIBILITY_RINGS 3u\n" +
+      zonal_glsl::shader_file(request, *zonal::shader::find_dialect("glsl450")) +
+      "void main() {\n"
+      "  uint i = gl_GlobalInvocationID.x;\n"
+      "  vec3 position = vec3(places[6u * i], places[6u * i + 1u], places[6u * i + 2u]);\n"
+      "  vec3 normal = vec3(places[6u * i + 3u], places[6u * i + 4u], places[6u * i + 5u]);\n"
+      "  vec3 sh[4];\n"
+      "  zonal_interpolate_visible_" +
+      name +
+      "_2(position, normal, vec3(-1.0), vec3(1.0), uvec3(3u, 4u, 2u), sh);\n"
+      "  for (uint k = 0u; k < 12u; ++k) results[12u * i + k] = sh[k / 3u][k % 3u];\n"
+      "}\n");
+  const unsigned buffers[] = {driver.make_buffer(shader_buffer(grid)), driver.make_buffer(shader_buffer(visibility)),
+                              driver.make_buffer(places),
+                              driver.make_buffer(std::vector<float>(count * size, -1000.0F))};
+  driver.run(program, {buffers[0], buffers[1], buffers[2], buffers[3]}, count / 64);
+  const std::vector<float> given = driver.read_buffer(buffers[3], count * size);
+  for (std::size_t i = 0; i < count; ++i) {
+    const float* const p = &places[6 * i];
+    const std::vector<float> of_one = slice(given, i * size, size);
+    require_equal(of_one, visible_in_cpp<N, method>(grid, visibility, p), driver.is_software(), [&] { return i; });
+    const auto looked_up =
+        zonal::interpolate<method>(grid, visibility, glm::vec3(p[0], p[1], p[2]), glm::vec3(p[3], p[4], p[5]));
+    std::vector<float> expected;
+    for (int k = 0; k < N * N; ++k) SceneRandom::append(expected, looked_up[k]);
+    require_equal(of_one, expected, false, [&] { return i; });
+  }
+  for (const unsigned buffer : buffers) driver.delete_buffer(buffer);
+  driver.delete_program(program);
+}
+
+}  // namespace
+
+TEST_CASE("A look-up in a grid by what is seen of its vertices, on the driver, is that of C++") {
+  Driver* driver = driver_or_skip();
+  if (driver == nullptr) return;
+  check_visible<zonal::Interpolation::trilinear>(*driver, "trilinear");
+  check_visible<zonal::Interpolation::hermite>(*driver, "hermite");
 }

@@ -23,12 +23,14 @@ buffers='layout(std430, binding = 0) readonly buffer Floats { float floats[]; };
 #define ZONAL_LIGHT(i) floats[i]
 #define ZONAL_MATERIAL(i) floats[i]
 #define ZONAL_GRID(i) floats[i]
+#define ZONAL_VISIBILITY(i) floats[i]
 #define ZONAL_SURFACE(i) floats[i]
 #define ZONAL_PIXEL(i) floats[i]'
 texture='uniform highp sampler2D floats;
 #define ZONAL_LIGHT(i) texelFetch(floats, ivec2(int(i), 0), 0).x
 #define ZONAL_MATERIAL(i) texelFetch(floats, ivec2(int(i), 0), 0).x
 #define ZONAL_GRID(i) texelFetch(floats, ivec2(int(i), 0), 0).x
+#define ZONAL_VISIBILITY(i) texelFetch(floats, ivec2(int(i), 0), 0).x
 #define ZONAL_SURFACE(i) texelFetch(floats, ivec2(int(i), 0), 0).x
 #define ZONAL_PIXEL(i) texelFetch(floats, ivec2(int(i), 0), 0).x'
 

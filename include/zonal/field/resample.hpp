@@ -29,6 +29,7 @@
 #include "../grid/coefficient_grid.hpp"
 #include "../scalar/for_each.hpp"
 #include "../scalar/lanes.hpp"
+#include "../scalar/refuse.hpp"
 #include "../scalar/unroll.hpp"
 #include "buckets.hpp"
 #include "direction_plane.hpp"
@@ -234,6 +235,30 @@ class FieldSums {
   std::vector<Plane> planes_;
   std::vector<KnownBucket> known_;
 };
+
+/// All of it, where memory holds all samples: samples[b * probes.size() + p] is what probe p has in bucket b. Writes
+/// the grid's coefficients; false, and all 0, where no ray came near the box. Sums is FieldSums, or ReferenceFieldSums.
+template <class Sums, class ForEach = SerialForEach>
+bool resample(typename Sums::Grid& grid, const DirectionBuckets& buckets, const std::vector<RadianceSample>& samples,
+              const std::vector<ProbePlace>& probes, float sphere_radius, const Resampling& resampling = {},
+              ForEach&& for_each = {}) {
+  if (samples.size() != buckets.size() * probes.size()) {
+    detail::refuse("samples that are not one for each bucket and probe");
+  }
+  Sums sums(grid);
+  constexpr std::size_t most = SampleBlock::most_buckets;
+  for (std::size_t first = 0; first < buckets.size() && !probes.empty(); first += most) {
+    const SampleBlock block{first, (std::min)(most, buckets.size() - first), &samples[first * probes.size()]};
+    sums.add(buckets, block, probes, sphere_radius, resampling, for_each);
+  }
+  return sums.finish(grid, for_each);
+}
+template <int N, GridContent content, class ForEach = SerialForEach>
+bool resample(CoefficientGrid<N, content>& grid, const DirectionBuckets& buckets,
+              const std::vector<RadianceSample>& samples, const std::vector<ProbePlace>& probes, float sphere_radius,
+              const Resampling& resampling = {}, ForEach&& for_each = {}) {
+  return resample<FieldSums<N, content>>(grid, buckets, samples, probes, sphere_radius, resampling, for_each);
+}
 
 }  // namespace ZONAL_TARGET
 }  // namespace zonal

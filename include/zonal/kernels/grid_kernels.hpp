@@ -8,6 +8,7 @@
 #include "../grid/gradient_limit.hpp"
 #include "../grid/interpolation_weights.hpp"
 #include "../grid/light_sums.hpp"
+#include "../grid/visibility_weights.hpp"
 #include "kernel_io.hpp"
 #include "light_kernels.hpp"
 
@@ -52,6 +53,74 @@ struct CellPosition : Kernel {
       cells[0][a] = zonal::detail::cell_position(x[a], low[a], zonal::detail::cell_rate(low[a], high[a], vertices[a]),
                                                  vertices[a]);
     }
+  }
+};
+
+struct VisibilityPlace : Kernel {
+  static constexpr const char* name = "visibility_place";
+  static constexpr const char* summary =
+      "Where to read the visibility of a cell's corner (0 or 1 on each axis): nearness, column and row.";
+  static constexpr bool has_bands = false;
+  template <int, class Io>
+  static void run(Io& io) {
+    using T = typename Io::Scalar;
+    const auto take = [&](const char* parameter, Domain domain, T(&vector)[3]) {
+      const auto numbers = io.vector(parameter, domain);
+      for (std::size_t a = 0; a < 3; ++a) vector[a] = numbers[a];
+    };
+    T t[3], size[3], corner[3], offset[3], normal[3], to_receiver[3];
+    take("t", Domain::cell_coordinate, t);
+    take("cell_size", Domain::length, size);
+    take("corner", Domain::cell_coordinate, corner);
+    take("offset", Domain::position, offset);
+    take("normal", Domain::unit_vector, normal);
+    const T rings = io.number("rings", Domain::row_count);
+    from_corner(t, size, corner, offset, normal, to_receiver);
+    const MapPlace<T> at = map_place(to_receiver, rings);
+    const auto place = io.output_triples("place", 0);
+    place[0][0] = at.nearness, place[0][1] = at.column, place[0][2] = at.row;
+  }
+};
+
+struct SeenShare : Kernel {
+  static constexpr const char* name = "seen_share";
+  static constexpr const char* summary =
+      "How much of a corner is seen at a nearness, from the four nodes about the place in its map.";
+  static constexpr bool has_bands = false;
+  template <int, class Io>
+  static void run(Io& io) {
+    using T = typename Io::Scalar;
+    const T nearness = io.number("nearness", Domain::radius);
+    T mean[4], variance[4];
+    const auto means = io.template numbers<4>("mean", Domain::radius);
+    const auto variances = io.template numbers<4>("variance", Domain::radius);
+    for (std::size_t i = 0; i < 4; ++i) mean[i] = means[i], variance[i] = variances[i];
+    const T x = io.number("x", Domain::cell_coordinate), y = io.number("y", Domain::cell_coordinate);
+    io.output("share", 0)[0] = zonal::seen_share(nearness, mean, variance, x, y);
+  }
+};
+
+template <Interpolation method>
+struct VisibleWeightsOf : Kernel {
+  static constexpr const char* name =
+      method == Interpolation::hermite ? "visible_hermite_weights" : "visible_trilinear_weights";
+  static constexpr const char* summary = "The same of corners of which so much is seen, 0 to 1 each.";
+  static constexpr bool has_bands = false;
+  template <int, class Io>
+  static void run(Io& io) {
+    using T = typename Io::Scalar;
+    AxisWeights<T> axis[3];
+    const T t[3] = {io.number("tx", Domain::cell_coordinate), io.number("ty", Domain::cell_coordinate),
+                    io.number("tz", Domain::cell_coordinate)};
+    const auto size = io.vector("cell_size", Domain::length);
+    const auto shares = io.template numbers<8>("seen", Domain::cell_coordinate);
+    T seen[8];
+    for (std::size_t c = 0; c < 8; ++c) seen[c] = shares[c];
+    for (std::size_t a = 0; a < 3; ++a) axis[a] = axis_weights<method>(t[a], size[a]);
+    const auto weights = visible_weights(cell_weights<method>(axis[0], axis[1], axis[2]), axis, seen);
+    constexpr int blocks = blocks_read(method);
+    const auto result = io.output("weights", 8 * blocks);
+    for (int i = 0; i < 8 * blocks; ++i) result[i] = weights.corner[i / blocks][i % blocks];
   }
 };
 

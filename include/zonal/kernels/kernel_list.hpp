@@ -37,10 +37,12 @@ using ColourKernels = KernelList<
     OfColours<Dot, Colours::all>, OfColours<DotEven>, OfColours<DotEven, Colours::all>, OfColours<DotZonal>,
     OfColours<DotZonal, Colours::all>, OfColours<Product>, OfColours<Product, Colours::all>, OfColours<ProductZonal>,
     OfColours<TripleProduct>, OfColours<ApplyWindow<Window::hann>>, OfColours<ApplyWindow<Window::sinc>>>;
-using SceneKernels = KernelList<Sphere, SphereWithGradient,                                               // lights
-                                CellPosition, CellWeightsOf<Interpolation::trilinear>,                    // grid
-                                CellWeightsOf<Interpolation::hermite>, ClearSums, AddSphere, FinishSums,  //
-                                MaterialRow, MaterialBetweenRows,                                         // materials
+using SceneKernels = KernelList<Sphere, SphereWithGradient,                             // lights
+                                CellPosition, CellWeightsOf<Interpolation::trilinear>,  // grid
+                                CellWeightsOf<Interpolation::hermite>, VisibilityPlace, SeenShare,
+                                VisibleWeightsOf<Interpolation::trilinear>, VisibleWeightsOf<Interpolation::hermite>,
+                                ClearSums, AddSphere, FinishSums,  //
+                                MaterialRow, MaterialBetweenRows,  // materials
                                 TangentTowards, HorizonOf<Horizon::smoothstep>, HorizonOf<Horizon::exact>,
                                 HvlRadiance<1>, HvlRadiance<3>,  // virtual lights
                                 IsSameSurface>;                  // screen

@@ -11,6 +11,7 @@
 //   HvlCache           ZONAL_LIGHT(i), light after light           gather; of one band gather_diffuse
 //   MaterialTable      ZONAL_MATERIAL(i), two numbers, F, F'       material_with_cosine, material_without_cosine
 //   CoefficientGrid    ZONAL_GRID(i), vertex after vertex          interpolate_trilinear, interpolate_hermite
+//   GridVisibility     ZONAL_VISIBILITY(i), vertex after vertex    interpolate_visible_trilinear, .._hermite
 //   SurfacePicture     ZONAL_SURFACE(i), row after row             filter_across, filter_down
 //   RadiancePicture    ZONAL_PIXEL(i), row after row               filter_across, filter_down
 //
@@ -21,6 +22,7 @@
 
 #include "../gather/hvl.hpp"
 #include "../grid/coefficient_grid.hpp"
+#include "../grid/visibility.hpp"
 #include "../material/material_table.hpp"
 #include "../scalar/refuse.hpp"
 #include "../screen/plane_picture.hpp"
@@ -73,6 +75,12 @@ inline std::vector<float> shader_buffer(const MaterialTable& table) {
 template <int N, GridContent content>
 std::vector<float> shader_buffer(const CoefficientGrid<N, content>& grid) {
   return {grid.data(), grid.data() + grid.size()};
+}
+
+/// What the grid's vertices see: vertex after vertex, 4 + 2 (2 rings + 1)^2 floats each (grid/visibility.hpp). A copy
+/// of data() and size(). In the shader ZONAL_VISIBILITY_RINGS is rings(), 4u unless defined otherwise.
+inline std::vector<float> shader_buffer(const GridVisibility& visibility) {
+  return {visibility.data(), visibility.data() + visibility.size()};
 }
 
 /// Surfaces, or coefficients in float: a row of pixels is a row of each plane (screen/plane_picture.hpp), pitch()

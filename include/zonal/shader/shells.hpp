@@ -7,6 +7,7 @@
 //   ZONAL_LIGHT(i)      float number i of the lights, light after light, the fields in the order given with each shell
 //   ZONAL_MATERIAL(i)   float number i of materials, one after the other
 //   ZONAL_GRID(i)       float number i of a grid, in the order of CoefficientGrid::data()
+//   ZONAL_VISIBILITY(i) float number i of what its vertices see, in the order of GridVisibility::data()
 //   ZONAL_SURFACE(i)    float number i of what the pixels see, in the order of SurfacePicture::data()
 //   ZONAL_PIXEL(i)      float number i of the pixels' coefficients, in the order of RadiancePicture::data()
 #pragma once
@@ -213,22 +214,22 @@ std::vector<ShellNeed> sum_lights_needs(int bands) {
   return needs;
 }
 
-template <Interpolation method>
+// From the cell and t in it to the end: what plain and visible interpolations have in common.
+template <Interpolation method, bool is_visible>
 std::string interpolate_text(int bands) {
-  // Hermite reads gradients, so its grids have four blocks.
-  const std::string text = R"(// Coefficients at a position in a grid; see interpolate (zonal/grid/interpolate.hpp).
+  const std::string text = R"(// $WHAT
 #ifndef ZONAL_GRID_BLOCKS  // of a vertex: value and gradient, or 1u of a grid of values alone
 #define ZONAL_GRID_BLOCKS 4u
 #endif
-void zonal_interpolate_$NAME_$N($vec3 position, $vec3 low, $vec3 high, $uvec3 vertices,
+$SEENvoid zonal_$NAME_$N($vec3 position, $RECEIVER$vec3 low, $vec3 high, $uvec3 vertices,
     $precise out $vec3 sh[$COUNT]) {
   $vec3 place = zonal_cell_position(position, low, high, vec3(vertices));
   $uvec3 cell = min(uvec3(place), vertices - 2u);
   $vec3 t = place - vec3(cell);
-  $float weights[$WEIGHTS];
-  zonal_$NAME_weights(t.x, t.y, t.z, (high - low) / vec3(vertices - 1u), weights);
+  $vec3 cell_size = (high - low) / vec3(vertices - 1u);
   $uint first = cell.x + vertices.x * (cell.y + vertices.y * cell.z);
-  for ($int i = 0; i < $COUNT; ++i) {
+  $float weights[$WEIGHTS];
+$HOW  for ($int i = 0; i < $COUNT; ++i) {
     $precise $vec3 sum = vec3(0.0f);
     for ($uint corner = 0u; corner < 8u; ++corner) {
       $uint vertex = first + (corner & 1u) + vertices.x * ((corner >> 1u & 1u) + vertices.y * (corner >> 2u));
@@ -241,16 +242,69 @@ void zonal_interpolate_$NAME_$N($vec3 position, $vec3 low, $vec3 high, $uvec3 ve
   }
 }
 )";
-  constexpr int blocks = blocks_read(method);
-  return substitute(text, {{"$COUNT", std::to_string(bands * bands)},
-                           {"$WEIGHTS", std::to_string(8 * blocks)},
-                           {"$BLOCKS", std::to_string(blocks)},
-                           {"$NAME", method == Interpolation::hermite ? "hermite" : "trilinear"},
-                           {"$N", std::to_string(bands)}});
+  const std::string plain = R"(  zonal_$METHOD_weights(t.x, t.y, t.z, cell_size, weights);
+)";
+  const std::string visible = R"(  $float seen[8];
+  for ($uint corner = 0u; corner < 8u; ++corner) {
+    $uvec3 bits = uvec3(corner & 1u, corner >> 1u & 1u, corner >> 2u);
+    seen[corner] = zonal_seen_of_vertex(first + bits.x + vertices.x * (bits.y + vertices.y * bits.z), t, cell_size,
+        vec3(bits), normal);
+  }
+  zonal_visible_$METHOD_weights(t.x, t.y, t.z, cell_size, seen, weights);
+)";
+  const std::string seen = R"(#ifndef ZONAL_VISIBILITY_RINGS  // of the vertices' maps
+#define ZONAL_VISIBILITY_RINGS 4u
+#endif
+#ifndef $GUARDSEEN_OF_VERTEX
+#define $GUARDSEEN_OF_VERTEX
+$float zonal_seen_of_vertex($uint vertex, $vec3 t, $vec3 cell_size, $vec3 corner, $vec3 normal) {
+  $uint side = 2u * ZONAL_VISIBILITY_RINGS + 1u;
+  $uint first = vertex * (4u + 2u * side * side);
+  $vec3 offset = vec3(ZONAL_VISIBILITY(first), ZONAL_VISIBILITY(first + 1u), ZONAL_VISIBILITY(first + 2u));
+  $precise $vec3 place = zonal_visibility_place(t, cell_size, corner, offset, normal, float(ZONAL_VISIBILITY_RINGS));
+  $uint column = min(uint(abs(place.y)), ZONAL_VISIBILITY_RINGS - 1u);
+  $uint row = min(uint(abs(place.z)), ZONAL_VISIBILITY_RINGS - 1u);
+  $float mean[4];
+  $float variance[4];
+  for ($uint i = 0u; i < 4u; ++i) {
+    $uint x = column + (i & 1u);
+    $uint y = row + (i >> 1u);
+    x = place.y < 0.0f ? ZONAL_VISIBILITY_RINGS - x : ZONAL_VISIBILITY_RINGS + x;
+    y = place.z < 0.0f ? ZONAL_VISIBILITY_RINGS - y : ZONAL_VISIBILITY_RINGS + y;
+    $uint node = first + 4u + 2u * (x + side * y);
+    mean[i] = ZONAL_VISIBILITY(node);
+    variance[i] = ZONAL_VISIBILITY(node + 1u);
+  }
+  $precise $float share = zonal_seen_share(place.x, mean, variance, abs(place.y) - float(column),
+      abs(place.z) - float(row));
+  return ZONAL_VISIBILITY(first + 3u) * share;
 }
-template <Interpolation method>
+#endif
+)";
+  constexpr int blocks = blocks_read(method);
+  const std::string name = method == Interpolation::hermite ? "hermite" : "trilinear";
+  return substitute(
+      text,
+      {{"$WHAT", is_visible ? "Coefficients at a surface in a grid, of what it sees of the grid's vertices; see "
+                              "interpolate\n// (zonal/grid/interpolate_visible.hpp). `normal` is unit, or 0."
+                            : "Coefficients at a position in a grid; see interpolate (zonal/grid/interpolate.hpp)."},
+       {"$SEEN", is_visible ? seen : ""},
+       {"$RECEIVER", is_visible ? "$vec3 normal, " : ""},
+       {"$HOW", is_visible ? visible : plain},
+       {"$COUNT", std::to_string(bands * bands)},
+       {"$WEIGHTS", std::to_string(8 * blocks)},
+       {"$BLOCKS", std::to_string(blocks)},
+       {"$METHOD", name},
+       {"$NAME", (is_visible ? "interpolate_visible_" : "interpolate_") + name},
+       {"$N", std::to_string(bands)}});
+}
+template <Interpolation method, bool is_visible>
 std::vector<ShellNeed> interpolate_needs(int) {
-  return {{kernels::CellPosition::name}, {kernels::CellWeightsOf<method>::name}};
+  if (!is_visible) return {{kernels::CellPosition::name}, {kernels::CellWeightsOf<method>::name}};
+  return {{kernels::CellPosition::name},
+          {kernels::VisibilityPlace::name},
+          {kernels::SeenShare::name},
+          {kernels::VisibleWeightsOf<method>::name}};
 }
 
 // ---- The discontinuity filter ---------------------------------------------------------------------------------------
@@ -355,10 +409,16 @@ inline constexpr Shell shells[] = {
     {"sum_lights", "All sphere lights at a vertex of a grid, with gradients.", detail::sum_lights_needs<false>,
      detail::sum_lights_text<false>},
     {"sum_lights_reversed", "The same, order by order.", detail::sum_lights_needs<true>, detail::sum_lights_text<true>},
-    {"interpolate_trilinear", "Coefficients anywhere in a grid.", detail::interpolate_needs<Interpolation::trilinear>,
-     detail::interpolate_text<Interpolation::trilinear>},
-    {"interpolate_hermite", "The same, from values and gradients.", detail::interpolate_needs<Interpolation::hermite>,
-     detail::interpolate_text<Interpolation::hermite>},
+    {"interpolate_trilinear", "Coefficients anywhere in a grid.",
+     detail::interpolate_needs<Interpolation::trilinear, false>,
+     detail::interpolate_text<Interpolation::trilinear, false>},
+    {"interpolate_hermite", "The same, from values and gradients.",
+     detail::interpolate_needs<Interpolation::hermite, false>, detail::interpolate_text<Interpolation::hermite, false>},
+    {"interpolate_visible_trilinear", "Coefficients at a surface in a grid, of what it sees of the vertices.",
+     detail::interpolate_needs<Interpolation::trilinear, true>,
+     detail::interpolate_text<Interpolation::trilinear, true>},
+    {"interpolate_visible_hermite", "The same, from values and gradients.",
+     detail::interpolate_needs<Interpolation::hermite, true>, detail::interpolate_text<Interpolation::hermite, true>},
     {"filter_across", "The discontinuity filter's first pass at a pixel, along its row.", detail::filter_needs,
      detail::filter_text<false>},
     {"filter_down", "Its second pass, along the column of what the first has left.", detail::filter_needs,

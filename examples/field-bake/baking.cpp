@@ -16,20 +16,20 @@ class BakingOf final : public Baking {
  public:
   using Grid = typename Sums::Grid;
 
-  BakingOf(const Options& options, const Box& box, const zonal::BakeFolder& folder,
+  BakingOf(const Options& options, const Bounds& box, const zonal::BakeFolder& folder,
            const zonal::ProbeSequence& sequence, const zonal::DirectionBuckets& buckets, const Ranks& ranks)
-      : grid_(box.low, box.high, options.resolution),
+      : grid_(box.lower, box.upper, options.resolution),
         bake_(folder, sequence, buckets, grid_, options.resampling, {ranks.index(), ranks.count()}) {}
 
   std::size_t count() const override { return bake_.count(); }
   std::size_t done() const override { return bake_.done(); }
   void step() override { bake_.step(for_each); }
   void save() override { bake_.save(); }
-  bool finish(const Ranks& ranks, const std::string& path) override {
+  bool finish(const Ranks& ranks, const Options& options) override {
     bake_.sums().visit_state([&](auto* numbers, std::size_t count) { ranks.add_up(numbers, count); });
     if (!ranks.is_first()) return true;
     if (!bake_.sums().finish(grid_, for_each)) return false;
-    zonal::save_grid(path, grid_);
+    zonal::save_grid(options.out, grid_, options.half ? zonal::GridNumbers::halves : zonal::GridNumbers::floats);
     return true;
   }
   void forget() override { bake_.forget(); }
@@ -56,7 +56,7 @@ std::unique_ptr<Baking> make_of_bands(const Options& options, Arguments&&... arg
 
 std::vector<int> baked_bands() { return {2, 3, 4, 5, 6}; }
 
-std::unique_ptr<Baking> make_baking(const Options& options, const Box& box, const zonal::BakeFolder& folder,
+std::unique_ptr<Baking> make_baking(const Options& options, const Bounds& box, const zonal::BakeFolder& folder,
                                     const zonal::ProbeSequence& sequence, const zonal::DirectionBuckets& buckets,
                                     const Ranks& ranks) {
   const auto make = [&](auto bands) { return make_of_bands<bands>(options, box, folder, sequence, buckets, ranks); };

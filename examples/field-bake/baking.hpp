@@ -23,7 +23,7 @@ class Baking {
   virtual void save() = 0;
   /// Adds the ranks' sums up and, in the first, writes the grid. False where no sample met the box. Throws
   /// zonal::FileError.
-  virtual bool finish(const Ranks& ranks, const std::string& path) = 0;
+  virtual bool finish(const Ranks& ranks, const Options& options) = 0;
   /// Removes what was kept.
   virtual void forget() = 0;
   /// Of the grid and, on the way to it, of planes, samples and the paper's lattices: bytes.
@@ -31,7 +31,7 @@ class Baking {
 };
 
 /// What --bands, --gradients and --path name. All must outlive it.
-std::unique_ptr<Baking> make_baking(const Options& options, const Box& box, const zonal::BakeFolder& folder,
+std::unique_ptr<Baking> make_baking(const Options& options, const Bounds& box, const zonal::BakeFolder& folder,
                                     const zonal::ProbeSequence& sequence, const zonal::DirectionBuckets& buckets,
                                     const Ranks& ranks);
 

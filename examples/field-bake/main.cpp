@@ -35,11 +35,11 @@ constexpr const char* resampling = "resampling";
 
 const auto for_each = [](int count, const auto& body) { tbb::parallel_for(0, count, body); };
 
-Box box_of(const zonal::ProbeSequence& sequence) {
-  Box box{sequence.probes[0].position, sequence.probes[0].position};
+Bounds box_of(const zonal::ProbeSequence& sequence) {
+  Bounds box{sequence.probes[0].position, sequence.probes[0].position};
   for (const zonal::SequenceProbe& probe : sequence.probes) {
-    box.low = glm::min(box.low, probe.position);
-    box.high = glm::max(box.high, probe.position);
+    box.lower = glm::min(box.lower, probe.position);
+    box.upper = glm::max(box.upper, probe.position);
   }
   return box;
 }
@@ -132,7 +132,7 @@ void bake(const Options& options, const Ranks& ranks) {
   report.probes = sequence.probes.size();
   report.box = options.box ? *options.box : box_of(sequence);
   using AnyGrid = zonal::CoefficientGrid<1>;
-  const std::string wrong = AnyGrid::what_is_wrong(report.box.low, report.box.high, options.resolution);
+  const std::string wrong = AnyGrid::what_is_wrong(report.box.lower, report.box.upper, options.resolution);
   if (!wrong.empty()) {
     throw InputError(wrong + (options.box ? "" : "; the box is that of the probes, where --box names no other"));
   }
@@ -166,7 +166,7 @@ void bake(const Options& options, const Ranks& ranks) {
   report.grid_bytes = baking->grid_bytes();
   report.times.time(stage_name::resampling, [&] {
     resample(*baking, block_cost, report, progress);
-    if (!baking->finish(ranks, options.out)) {
+    if (!baking->finish(ranks, options)) {
       throw InputError(options.sequence + ": no ray of any probe comes near the box");
     }
   });

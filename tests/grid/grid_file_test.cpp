@@ -75,6 +75,45 @@ TEST_CASE("grid file: its bytes are little-endian, as stated") {
   CHECK(bytes_of(path).substr(0, 64) == expected);
 }
 
+TEST_CASE("grid file: in 16 bits what is saved comes back as half floats, in half the space") {
+  const Folder folder;
+  const fs::path path = folder.path / "a.grid";
+  const auto grid = random_grid();  // with a denormal, -0, infinity and NaN
+  zonal::save_grid(path, grid, zonal::GridNumbers::halves);
+  CHECK(fs::file_size(path) == 60 + 2 * grid.size() + 8);
+  CHECK(zonal::read_grid_header(path).numbers == zonal::GridNumbers::halves);
+  const auto loaded = zonal::load_grid<N>(path);
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    const float expected = zonal::to_float(zonal::to_half(grid.data()[i]));
+    INFO(i);
+    CHECK(std::memcmp(&expected, &loaded.data()[i], 4) == 0);
+  }
+
+  const std::string good = bytes_of(path);
+  for_each_wrong_bit(good, 64, 301, [&](const std::string& bad, std::size_t) {
+    write(path, bad);
+    CHECK(!error_of(path).empty());
+  });
+  write(path, good.substr(0, good.size() - 2));
+  CHECK(!error_of(path).empty());
+
+  // An odd number of numbers: the last word holds one, and 0.
+  zonal::CoefficientGrid<1, zonal::GridContent::values> odd({0, 0, 0}, {1, 1, 1}, {3, 3, 3});
+  for (std::size_t i = 0; i < odd.size(); ++i) odd.data()[i] = float(i);
+  zonal::save_grid(path, odd, zonal::GridNumbers::halves);
+  CHECK(fs::file_size(path) == 60 + 4 * 41 + 8);
+  const auto back = zonal::load_grid<1, zonal::GridContent::values>(path);
+  CHECK(std::equal(odd.data(), odd.data() + odd.size(), back.data()));
+
+  odd.data()[5] = 65519;
+  zonal::save_grid(path, odd, zonal::GridNumbers::halves);
+  odd.data()[5] = -65520;
+  const std::string before = bytes_of(path);
+  CHECK_THROWS_WITH(zonal::save_grid(path, odd, zonal::GridNumbers::halves),
+                    Catch::Matchers::EndsWith("cannot be written in 16 bits, which hold numbers up to 65504 alone"));
+  CHECK(bytes_of(path) == before);
+}
+
 TEST_CASE("grid file: a link to a file stays a link") {
   const Folder folder;
   const fs::path path = folder.path / "a.grid", link = folder.path / "link.grid";

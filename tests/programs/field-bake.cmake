@@ -15,12 +15,14 @@ set_tests_properties("field-bake: sequences of the cases" PROPERTIES
 
 refused("no sequence" "sequence is required")
 foreach(grid 1 0 1025 8x8 8x8x8x8 axbxc 4x1x4)
-  refused("grid ${grid}" "--grid: '${grid}' is not a resolution such as 16 or 16x16x8, each number 2 to 1024"
+  refused("grid ${grid}" "--grid: '${grid}' is not a resolution such as 8 or 8x8x8, each number 2 to 1024"
     s/sequence.txt --grid ${grid})
 endforeach()
-foreach(box 0,0,0 0,0,0,1,1,0 1,1,1,0,2,2 a,b,c,d,e,f 0,0,0,1,1,nan)
-  refused("box ${box}" "--box: '${box}' is not a box such as -1,-1,0,1,1,2, its low corner first" s/sequence.txt --box ${box})
+foreach(box 0,0,0 0,0,0,1,1 a,b,c,d,e,f)
+  refused("box ${box}" "--box: '${box}' is not a box such as -0.5,1,2,0.5,2,3" s/sequence.txt --box ${box})
 endforeach()
+refused("box inside out" "the grid's x axis goes from 1.0+ to 0.0+, which leaves no space between" s/sequence.txt --box 1,1,1,0,2,2)
+refused("box of no number" "the grid's z axis goes from 0.0+ to nan, which is not finite" s/sequence.txt --box 0,0,0,1,1,nan)
 refused("bands 1" "--bands: '1' is not one of 2.3.4.5.6" s/sequence.txt --bands 1)
 refused("thin -1" "--thin: '-1' is not in 0...2" s/sequence.txt --thin -1)
 refused("thin by distance alone" "--thin-distance requires --thin" s/sequence.txt --thin-distance 1)
@@ -73,6 +75,7 @@ program_case("no space for the samples" 2 "work" "field-bake: work/samples-0.zon
 renders("help" "" "" --help)
 renders("defaults" "field.grid" "" s/sequence.txt)
 renders("gradients and report" "x.grid x.json" "" s/sequence.txt --gradients --bands 5 --out x.grid --report x.json)
+renders("16 bits" "x.grid" "" s/sequence.txt --half --out x.grid)
 renders("thinned" "x.grid" "" s/sequence.txt --thin 2 --thin-distance 10 --out x.grid)
 renders("paper's steps" "x.grid" "" s/sequence.txt --path space --out x.grid)
 renders("mean and nearest" "x.grid" "" s/sequence.txt --estimate mean --repair nearest --out x.grid)

@@ -58,7 +58,7 @@ void for_each_point(const glm::ivec3& size, const Visit& visit) {
 }
 
 inline bool has_holes(const LatticePoint* points, std::size_t count) {
-  return std::any_of(points, points + count, [](const LatticePoint& point) { return point.weight == 0; });
+  return std::any_of(points, points + count, [](const LatticePoint& point) { return !(point.weight > 0); });
 }
 
 // Where a point lies on the axis of a lattice of half the resolution: between which two, and how much of the second.
@@ -126,7 +126,7 @@ class NearestOnLine {
     int parabolas = 0;
     for (int i = 0; i < count; ++i) {
       height_[std::size_t(i)] = height[at(i)], source_[std::size_t(i)] = source[at(i)];
-      if (height[at(i)] == infinite) continue;
+      if (!(height[at(i)] < infinite)) continue;
       double begin = -1e30;
       for (; parabolas > 0; --parabolas) {  // those that this one covers
         begin = meets(lowest_[std::size_t(parabolas) - 1], i);

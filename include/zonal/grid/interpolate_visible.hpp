@@ -1,8 +1,7 @@
 // Coefficients at a surface in a grid, from the corners of the cell that it sees (visibility_weights.hpp).
 //
 // As interpolate.hpp, but for what is said here. A look-up reads 48 bytes more of each corner, at three places, and
-// computes its share: 220 ns for 31 by trilinear
-// weights of 3 bands, 270 for 75 by Hermite's.
+// computes its share: 220 ns for 31 by trilinear weights of 3 bands, 270 for 75 by Hermite's.
 #pragma once
 
 #include <cassert>

@@ -43,7 +43,7 @@ inline GridVisibility load_visibility(const std::filesystem::path& path) {
   const detail::BoxFileHeader& box = reader.box();
   const std::uint64_t rings = box.number;
   if (rings < 1 || rings > 1024) reader.fail("is damaged: it says its maps have " + std::to_string(rings) + " rings");
-  if (reader.floats_of(4 + 2 * (2 * rings + 1) * (2 * rings + 1)) != box.floats) {
+  if (reader.count_of(4 + 2 * (2 * rings + 1) * (2 * rings + 1)) != box.count) {
     reader.fail("is damaged: its size is not what its header says");
   }
   try {

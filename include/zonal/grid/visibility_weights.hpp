@@ -9,10 +9,10 @@
 // on an octahedral map, because of a plane n . x = D it is n . p / D at the place p of the octahedron: linear on each
 // of its faces, where the distance has a pole. The map is its values at nodes, which lie on all edges of the octahedron
 // too, linear on triangles between: it meets a plane exactly, whatever the angle. Beside it, at each node, stands a
-// quarter of the mean square of what is left of q about it (the whole leaks five times as much, a sixteenth fails where
-// all corners are half hidden). (Of moments of the distance, mean and mean square, the variance is mostly
-// the slope of walls seen at an angle.) What is never met has q = 0. Towards the receiver r, with q_r its own nearness,
-// the corner's share is
+// quarter of the mean square of what is left of q about it; the whole leaks five times as much, and a sixteenth fails
+// where all corners are half hidden. (Of moments of the distance, mean and mean square, the variance is mostly the
+// slope of walls seen at an angle.) What is never met has q = 0. Towards the receiver r, with q_r its own nearness, the
+// corner's share is
 //
 //   1 where q <= q_r, else (v / (v + (q - q_r)^2))^6
 //

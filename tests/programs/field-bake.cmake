@@ -97,3 +97,15 @@ if(MPI_CXX_FOUND AND MPIEXEC_EXECUTABLE)
 else()
   message(STATUS "no tests of field-bake on several ranks, for want of: MPI")
 endif()
+
+foreach(signal_status INT:130 TERM:143)
+  string(REPLACE ":" ";" signal_status ${signal_status})
+  list(GET signal_status 0 signal)
+  list(GET signal_status 1 status)
+  program_case("stopped by SIG${signal}" ${status} "work work/samples-0.zonal work/sums.zonal"
+    "field-bake: interrupted, the same command goes on from here"
+    timeout --preserve-status --kill-after=10 --signal=${signal} 1 $<TARGET_FILE:field-bake> s/many.txt --grid 64
+    --path space --work work)
+endforeach()
+shows_progress(--threads 1 ${work_dir}/inputs/s/many.txt --grid 32 --path space)
+set_tests_properties("field-bake: narrow terminal" PROPERTIES FIXTURES_REQUIRED field-bake_inputs)

@@ -16,9 +16,9 @@ class BakingOf final : public Baking {
  public:
   using Grid = typename Sums::Grid;
 
-  BakingOf(const Options& options, const Box& box, const zonal::BakeFolder& folder,
+  BakingOf(const Options& options, const Bounds& box, const zonal::BakeFolder& folder,
            const zonal::ProbeSequence& sequence, const zonal::DirectionBuckets& buckets, const Ranks& ranks)
-      : grid_(box.low, box.high, options.resolution),
+      : grid_(box.lower, box.upper, options.resolution),
         bake_(folder, sequence, buckets, grid_, options.resampling, {ranks.index(), ranks.count()}) {}
 
   std::size_t count() const override { return bake_.count(); }
@@ -56,7 +56,7 @@ std::unique_ptr<Baking> make_of_bands(const Options& options, Arguments&&... arg
 
 std::vector<int> baked_bands() { return {2, 3, 4, 5, 6}; }
 
-std::unique_ptr<Baking> make_baking(const Options& options, const Box& box, const zonal::BakeFolder& folder,
+std::unique_ptr<Baking> make_baking(const Options& options, const Bounds& box, const zonal::BakeFolder& folder,
                                     const zonal::ProbeSequence& sequence, const zonal::DirectionBuckets& buckets,
                                     const Ranks& ranks) {
   const auto make = [&](auto bands) { return make_of_bands<bands>(options, box, folder, sequence, buckets, ranks); };

@@ -31,7 +31,7 @@ class Baking {
 };
 
 /// What --bands, --gradients and --path name. All must outlive it.
-std::unique_ptr<Baking> make_baking(const Options& options, const Box& box, const zonal::BakeFolder& folder,
+std::unique_ptr<Baking> make_baking(const Options& options, const Bounds& box, const zonal::BakeFolder& folder,
                                     const zonal::ProbeSequence& sequence, const zonal::DirectionBuckets& buckets,
                                     const Ranks& ranks);
 

@@ -35,11 +35,11 @@ constexpr const char* resampling = "resampling";
 
 const auto for_each = [](int count, const auto& body) { tbb::parallel_for(0, count, body); };
 
-Box box_of(const zonal::ProbeSequence& sequence) {
-  Box box{sequence.probes[0].position, sequence.probes[0].position};
+Bounds box_of(const zonal::ProbeSequence& sequence) {
+  Bounds box{sequence.probes[0].position, sequence.probes[0].position};
   for (const zonal::SequenceProbe& probe : sequence.probes) {
-    box.low = glm::min(box.low, probe.position);
-    box.high = glm::max(box.high, probe.position);
+    box.lower = glm::min(box.lower, probe.position);
+    box.upper = glm::max(box.upper, probe.position);
   }
   return box;
 }
@@ -93,19 +93,22 @@ void sort(const zonal::ProbeSequence& sequence, const zonal::DirectionBuckets& b
   }
 }
 
-/// Keeps its sums now and then, and where it is stopped.
+/// Keeps its sums now and then, as often as that takes a twentieth of the time, and where it is stopped.
 void resample(Baking& baking, double block_cost, Report& report, Progress& progress) {
-  constexpr std::chrono::seconds between(10);
-  auto saved = std::chrono::steady_clock::now();
+  using Clock = std::chrono::steady_clock;
+  Clock::duration between = std::chrono::seconds(10);
+  Clock::time_point saved = Clock::now();
   progress.advance(stage_name::resampling, block_cost * double(baking.done()));
   const std::size_t begin = baking.done();
   while (baking.done() < baking.count()) {
     baking.step();
     progress.advance(stage_name::resampling, block_cost);
-    const bool is_last = baking.done() == baking.count(), is_time = std::chrono::steady_clock::now() - saved > between;
+    const bool is_last = baking.done() == baking.count(), is_time = Clock::now() - saved > between;
     if (is_time || stop_requested() || (is_last && report.ranks > 1)) {
+      const Clock::time_point begin_of_save = Clock::now();
       baking.save();
-      saved = std::chrono::steady_clock::now();
+      saved = Clock::now();
+      between = std::max(between, 20 * (saved - begin_of_save));
     }
     throw_if_interrupted();
   }
@@ -120,19 +123,13 @@ double cost_of_block(const Options& options, std::size_t probes) {
   return (gather + splat) * (options.path == Path::space ? 30 : 1) / 2e5;
 }
 
-void bake(const Options& options, const Ranks& ranks) {
-  Report report;
-  report.options = options;
-  report.ranks = ranks.count();
-  const ThreadLimit limit(options.threads);
-  report.machine = limit.machine();
-
-  // All that can be wrong with the input comes to light before the work begins; but each picture when it is read.
+/// All that can be wrong with the input comes to light before the work begins; but each picture when it is read.
+zonal::ProbeSequence opened_sequence(const Options& options, Report& report) {
   zonal::ProbeSequence sequence = zonal::read_sequence(options.sequence);
   report.probes = sequence.probes.size();
   report.box = options.box ? *options.box : box_of(sequence);
   using AnyGrid = zonal::CoefficientGrid<1>;
-  const std::string wrong = AnyGrid::what_is_wrong(report.box.low, report.box.high, options.resolution);
+  const std::string wrong = AnyGrid::what_is_wrong(report.box.lower, report.box.upper, options.resolution);
   if (!wrong.empty()) {
     throw InputError(wrong + (options.box ? "" : "; the box is that of the probes, where --box names no other"));
   }
@@ -140,6 +137,17 @@ void bake(const Options& options, const Ranks& ranks) {
   for (const zonal::SequenceProbe& probe : sequence.probes) inputs.push_back(probe.picture);
   if (!options.report.empty()) outputs.emplace_back(options.report);
   check_outputs(outputs, inputs);
+  return sequence;
+}
+
+Report bake(const Options& options, const Ranks& ranks) {
+  Report report;
+  report.options = options;
+  report.ranks = ranks.count();
+  const ThreadLimit limit(options.threads);
+  report.machine = limit.machine();
+
+  zonal::ProbeSequence sequence = opened_sequence(options, report);
   const zonal::DirectionBuckets buckets = ProbePictures(sequence).buckets();
   report.buckets = buckets.size();
 
@@ -173,23 +181,27 @@ void bake(const Options& options, const Ranks& ranks) {
   ranks.wait();
   baking->forget();
   ranks.wait();
-  if (!ranks.is_first()) return;
-  if (!options.keep_work) {
+  if (ranks.is_first() && !options.keep_work) {
     std::filesystem::remove(thinned_file);
     folder.remove();
   }
-  if (!options.report.empty()) {
+  return report;
+}
+
+void tell(const Report& report) {
+  if (!report.options.report.empty()) {
     OutputBatch batch;
-    batch.add(options.report, json_text(report));
+    batch.add(report.options.report, json_text(report));
     batch.move_into_place();
   }
-  if (!options.quiet) std::fputs(text(report).c_str(), stdout);
+  if (!report.options.quiet) std::fputs(text(report).c_str(), stdout);
 }
 
 /// What stopped is in the work folder.
 void run_one(const Options& options, const Ranks& ranks) {
   try {
-    bake(options, ranks);
+    const Report report = bake(options, ranks);
+    if (ranks.is_first()) tell(report);
   } catch (const zonal::FileError& error) {
     throw InputError(one_line(error.what()));
   } catch (const Interrupted&) {

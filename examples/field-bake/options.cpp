@@ -15,52 +15,10 @@ const Names<Estimate> estimate_names = {{"linear", Estimate::linear}, {"mean", E
 const Names<zonal::Repair> repair_names = {{"mip-maps", zonal::Repair::mip_maps}, {"nearest", zonal::Repair::nearest}};
 const Names<Path> path_names = {{"plane", Path::plane}, {"space", Path::space}};
 
-/// 8, or 8x8x8.
-bool parse_resolution(const std::string& text, std::array<int, 3>& resolution) {
-  int all = 0;
-  if (parse_number(text, all)) {
-    resolution.fill(all);
-    return true;
-  }
-  return parse_numbers(text, 'x', resolution);
-}
-
 void add_grid_options(CLI::App& app, Options& options) {
   const std::string group = "Grid";
-  app.add_option_function<std::string>(
-         "--grid",
-         [&options](const std::string& text) {
-           std::array<int, 3> resolution{};
-           parse_resolution(text, resolution);
-           options.resolution = {resolution[0], resolution[1], resolution[2]};
-         },
-         "Points along each axis of the box")
-      ->type_name("N|XxYxZ")
-      ->check(validator([](const std::string& text) -> std::string {
-        std::array<int, 3> resolution{};
-        const auto possible = [](int points) { return points >= 2 && points <= 1024; };
-        const bool good =
-            parse_resolution(text, resolution) && std::all_of(resolution.begin(), resolution.end(), possible);
-        return good ? "" : "'" + text + "' is not a resolution such as 16 or 16x16x8, each number 2 to 1024";
-      }))
-      ->default_str("16")
-      ->group(group);
-  app.add_option_function<std::string>(
-         "--box",
-         [&options](const std::string& text) {
-           std::array<float, 6> n{};
-           parse_numbers(text, ',', n);
-           options.box = Box{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
-         },
-         "Low and high corner of the grid, in the sequence's unit; without it, of all probes")
-      ->type_name("X,Y,Z,X,Y,Z")
-      ->check(validator([](const std::string& text) -> std::string {
-        std::array<float, 6> n{};
-        bool good = parse_numbers(text, ',', n);
-        for (std::size_t axis = 0; axis < 3; ++axis) good = good && n[axis] < n[axis + 3];
-        return good ? "" : "'" + text + "' is not a box such as -1,-1,0,1,1,2, its low corner first";
-      }))
-      ->group(group);
+  add_resolution_option(app, options.resolution, 1024, "Points along each axis of the box")->group(group);
+  add_box_option(app, options.box, "of the grid, in the sequence's unit; without it, of all probes")->group(group);
   add_one_of(app, "--bands", options.bands, baked_bands(),
              "Bands of the coefficients: 3 for diffuse light, 5 for glossy")
       ->group(group);

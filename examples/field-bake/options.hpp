@@ -17,10 +17,6 @@ namespace example::field_bake {
 /// How a field is resampled: `plane` is the library's way, `space` the paper's steps, its reference.
 enum class Path { plane, space };
 
-struct Box {
-  glm::vec3 low, high;
-};
-
 struct Options {
   std::string sequence;
   std::string out = "field.grid";
@@ -28,7 +24,7 @@ struct Options {
   bool keep_work = false;
 
   glm::ivec3 resolution{16};
-  std::optional<Box> box;  // none: of the probes
+  std::optional<Bounds> box;  // none: of the probes
   int bands = 5;
   bool gradients = false;
   bool half = false;  // 16 bits

@@ -40,7 +40,7 @@ std::string json_text(const Report& report) {
   const auto point = [](const glm::vec3& p) { return nlohmann::json{p.x, p.y, p.z}; };
   const nlohmann::json options = {{"sequence", o.sequence},
                                   {"resolution", {o.resolution.x, o.resolution.y, o.resolution.z}},
-                                  {"box", {point(report.box.low), point(report.box.high)}},
+                                  {"box", {point(report.box.lower), point(report.box.upper)}},
                                   {"bands", o.bands},
                                   {"gradients", o.gradients},
                                   {"path", o.path == Path::plane ? "plane" : "space"},

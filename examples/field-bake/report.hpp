@@ -15,7 +15,7 @@ struct Report {
   Options options;
   Machine machine;
   StageTimes times;
-  Box box{};
+  Bounds box{};
   std::size_t probes = 0, thinned = 0;  // of the sequence, and those left out
   std::size_t buckets = 0;
   std::size_t pictures_read = 0, blocks_done = 0;  // in this run

@@ -13,7 +13,7 @@ void add_place_options(CLI::App& app, Options& options) {
              "An area light and a projector of coloured squares; or a half-blocked red spotlight and a cone of white "
              "light")
       ->group(group);
-  add_box_option(app, options.box)->group(group);
+  add_box_option(app, options.box, field_box_help)->group(group);
   add_number(app, "--probes", options.probes, 1, 1000000, "1...1000000", "How many, about: what the layout can have")
       ->group(group);
   add_choice(app, "--layout", layout_names, options.layout,

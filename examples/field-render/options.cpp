@@ -58,7 +58,7 @@ void add_reference_options(CLI::App& app, Options& options) {
         return "'" + name + "' is not one of projector|spots";
       }))
       ->group(group);
-  add_box_option(app, options.box)->group(group);
+  add_box_option(app, options.box, field_box_help)->group(group);
   add_number(app, "--samples", options.samples, 1, 65536, "1...65536", "Paths in each pixel")->group(group);
   add_number(app, "--bounces", options.bounces, 0, 16, "0...16", "Between surfaces of the scene")->group(group);
   add_number(app, "--seed", options.seed, std::uint64_t{0}, ~std::uint64_t{0}, "0...2^64-1",

@@ -13,25 +13,6 @@
 namespace example::grid_render {
 namespace {
 
-/// 8, or 8x8x8.
-bool parse_resolution(const std::string& text, std::array<int, 3>& resolution) {
-  int all = 0;
-  if (parse_number(text, all)) {
-    resolution.fill(all);
-    return true;
-  }
-  return parse_numbers(text, 'x', resolution);
-}
-
-CLI::Validator grid_resolution() {
-  return validator([](const std::string& text) -> std::string {
-    std::array<int, 3> resolution{};
-    const auto possible = [](int vertices) { return vertices >= 2 && vertices <= 32; };
-    const bool good = parse_resolution(text, resolution) && std::all_of(resolution.begin(), resolution.end(), possible);
-    return good ? "" : "'" + text + "' is not a resolution such as 8 or 8x8x8, each number 2 to 32";
-  });
-}
-
 void add_output_options(CLI::App& app, Options& options) {
   CLI::Option* compare =
       add_compare_option(app, options,
@@ -87,16 +68,7 @@ void add_light_options(CLI::App& app, Options& options) {
 
 void add_grid_options(CLI::App& app, Options& options) {
   const std::string group = "Grid";
-  const auto set_resolution = [&options](const std::string& text) {
-    std::array<int, 3> resolution{};
-    parse_resolution(text, resolution);
-    options.grid = {resolution[0], resolution[1], resolution[2]};
-  };
-  app.add_option_function<std::string>("--grid", set_resolution, "Vertices along each axis of the scene's box")
-      ->type_name("N|XxYxZ")
-      ->check(grid_resolution())
-      ->default_str("8")
-      ->group(group);
+  add_resolution_option(app, options.grid, 32, "Vertices along each axis of the scene's box")->group(group);
   add_one_of(app, "--bands", options.bands, lighting_bands(Shape::spheres),
              "Bands of the light; of triangles " + joined(lighting_bands(Shape::triangles)))
       ->group(group);

@@ -101,15 +101,35 @@ CLI::Option* add_point(CLI::App& app, const std::string& name, std::optional<glm
   return app.add_option_function<std::string>(name, assign, help)->type_name("X,Y,Z");
 }
 
-CLI::Option* add_box_option(CLI::App& app, std::optional<Bounds>& box) {
+CLI::Option* add_box_option(CLI::App& app, std::optional<Bounds>& box, const std::string& help) {
   const auto set = [&box](const std::string& text) { parse_box(text, box.emplace()); };
-  return app
-      .add_option_function<std::string>(
-          "--box", set,
-          "Low and high corner, in metres, of the volume that probes stand in and lamps are placed about; without it, "
-          "a cube near the middle of the scene")
+  return app.add_option_function<std::string>("--box", set, "Low and high corner " + help)
       ->type_name("X,Y,Z,X,Y,Z")
       ->check(box_corners());
+}
+
+CLI::Option* add_resolution_option(CLI::App& app, glm::ivec3& resolution, int most, const std::string& help) {
+  const auto parse_resolution = [](const std::string& text, std::array<int, 3>& numbers) {
+    int all = 0;
+    if (!parse_number(text, all)) return parse_numbers(text, 'x', numbers);
+    numbers.fill(all);
+    return true;
+  };
+  const auto set = [=, &resolution](const std::string& text) {
+    std::array<int, 3> numbers{};
+    parse_resolution(text, numbers);
+    resolution = {numbers[0], numbers[1], numbers[2]};
+  };
+  const auto check = [=](const std::string& text) -> std::string {
+    std::array<int, 3> numbers{};
+    const auto possible = [=](int number) { return number >= 2 && number <= most; };
+    if (parse_resolution(text, numbers) && std::all_of(numbers.begin(), numbers.end(), possible)) return {};
+    return "'" + text + "' is not a resolution such as 8 or 8x8x8, each number 2 to " + std::to_string(most);
+  };
+  return app.add_option_function<std::string>("--grid", set, help)
+      ->type_name("N|XxYxZ")
+      ->check(validator(check))
+      ->default_str(std::to_string(resolution.x));
 }
 
 CLI::Option* add_angle(CLI::App& app, const std::string& name, float greatest_degrees, float scale,

@@ -87,8 +87,11 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, Number& number, 
 CLI::Option* add_point(CLI::App& app, const std::string& name, std::optional<glm::vec3>& point,
                        const std::string& help);
 
-/// --box, the volume of an incident light field
-CLI::Option* add_box_option(CLI::App& app, std::optional<Bounds>& box);
+/// --box, of which `help` goes on to say what is in it: "Low and high corner "
+CLI::Option* add_box_option(CLI::App& app, std::optional<Bounds>& box, const std::string& help);
+
+/// --grid: 8, or 8x8x4, each number 2 to `most`.
+CLI::Option* add_resolution_option(CLI::App& app, glm::ivec3& resolution, int most, const std::string& help);
 
 /// An angle given in degrees and kept, times `scale`, in radians.
 CLI::Option* add_angle(CLI::App& app, const std::string& name, float greatest_degrees, float scale,

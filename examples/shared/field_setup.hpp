@@ -17,6 +17,12 @@ namespace example {
 enum class FieldSetup { projector, spots };
 inline const Names<FieldSetup> field_setup_names{{"projector", FieldSetup::projector}, {"spots", FieldSetup::spots}};
 
+/// Of --box.
+inline const std::string field_box_help =
+    "of the volume, in metres, that probes stand in and lamps are placed about; without it a cube near the middle of "
+    "the "
+    "scene";
+
 /// The volume that probes stand in: the one that is asked for, or one near the middle of the scene, a metre wide in the
 /// built-in hall. Throws InputError where it is none.
 Bounds field_box(const Scene& scene, const std::optional<Bounds>& box);

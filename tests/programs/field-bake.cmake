@@ -15,12 +15,14 @@ set_tests_properties("field-bake: sequences of the cases" PROPERTIES
 
 refused("no sequence" "sequence is required")
 foreach(grid 1 0 1025 8x8 8x8x8x8 axbxc 4x1x4)
-  refused("grid ${grid}" "--grid: '${grid}' is not a resolution such as 16 or 16x16x8, each number 2 to 1024"
+  refused("grid ${grid}" "--grid: '${grid}' is not a resolution such as 8 or 8x8x8, each number 2 to 1024"
     s/sequence.txt --grid ${grid})
 endforeach()
-foreach(box 0,0,0 0,0,0,1,1,0 1,1,1,0,2,2 a,b,c,d,e,f 0,0,0,1,1,nan)
-  refused("box ${box}" "--box: '${box}' is not a box such as -1,-1,0,1,1,2, its low corner first" s/sequence.txt --box ${box})
+foreach(box 0,0,0 0,0,0,1,1 a,b,c,d,e,f)
+  refused("box ${box}" "--box: '${box}' is not a box such as -0.5,1,2,0.5,2,3" s/sequence.txt --box ${box})
 endforeach()
+refused("box inside out" "the grid's x axis goes from 1.0+ to 0.0+, which leaves no space between" s/sequence.txt --box 1,1,1,0,2,2)
+refused("box of no number" "the grid's z axis goes from 0.0+ to nan, which is not finite" s/sequence.txt --box 0,0,0,1,1,nan)
 refused("bands 1" "--bands: '1' is not one of 2.3.4.5.6" s/sequence.txt --bands 1)
 refused("thin -1" "--thin: '-1' is not in 0...2" s/sequence.txt --thin -1)
 refused("thin by distance alone" "--thin-distance requires --thin" s/sequence.txt --thin-distance 1)
@@ -95,3 +97,15 @@ if(MPI_CXX_FOUND AND MPIEXEC_EXECUTABLE)
 else()
   message(STATUS "no tests of field-bake on several ranks, for want of: MPI")
 endif()
+
+foreach(signal_status INT:130 TERM:143)
+  string(REPLACE ":" ";" signal_status ${signal_status})
+  list(GET signal_status 0 signal)
+  list(GET signal_status 1 status)
+  program_case("stopped by SIG${signal}" ${status} "work work/samples-0.zonal work/sums.zonal"
+    "field-bake: interrupted, the same command goes on from here"
+    timeout --preserve-status --kill-after=10 --signal=${signal} 1 $<TARGET_FILE:field-bake> s/many.txt --grid 64
+    --path space --work work)
+endforeach()
+shows_progress(--threads 1 ${work_dir}/inputs/s/many.txt --grid 32 --path space)
+set_tests_properties("field-bake: narrow terminal" PROPERTIES FIXTURES_REQUIRED field-bake_inputs)

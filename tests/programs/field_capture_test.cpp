@@ -220,6 +220,33 @@ TEST_CASE("in a white sphere a probe sees what the lamp in its middle sends to i
   CHECK(worst < 1.5 * again);  // the noise of 16 paths of one bounce more
 }
 
+TEST_CASE("a mirror sphere's texels show what is along rays from its surface") {
+  const Scene scene = make_furnace();  // of radius 2 and albedo 0.8
+  const RayCaster caster(scene);
+  const double lamp_radius = 0.02, radiance = 1000.0;
+  const glm::vec3 at(0.4f, 0.3f, 0.5f);
+  const IncidentRadiance light(scene, caster,
+                               {Emitter::projector(glm::vec3(0.0f), {0.3f, -1.0f, 0.2f}, float(lamp_radius),
+                                                   Emitter::Beam::even, 0.0f, glm::vec3(glm::dvec3(radiance)))},
+                               0);
+  const glm::dvec3 axis(light.emitters()[0].normal());
+  ProbeCamera camera = ProbeCamera::of_side(zonal::Mapping::mirror_sphere, 64);
+  camera.sphere_radius = 0.3;
+  const Image picture = capture_probe(camera, light, at, 16, 3);
+  const glm::dvec3 forward = glm::dquat(picture_orientation()) * glm::dvec3(1.0, 0.0, 0.0);
+  const double brightest = 0.8 * radiance * lamp_radius * lamp_radius / 4.0;
+  double worst = 0.0;
+  for_each_texel(picture, camera, [&](const glm::dvec3& direction, const glm::dvec3& seen, double) {
+    if (glm::dot(direction, forward) > 0.9) return;  // a texel there is many directions
+    const glm::dvec3 origin = glm::dvec3(at) + 0.3 * glm::normalize(direction - forward);
+    const double b = glm::dot(origin, direction);
+    const double t = -b + std::sqrt(b * b + 4.0 - glm::dot(origin, origin));
+    const double cosine = std::max(glm::dot(glm::normalize(origin + t * direction), axis), 0.0);
+    worst = std::max(worst, std::abs(seen.g - brightest * cosine));
+  });
+  CHECK(worst < 0.02 * brightest);
+}
+
 TEST_CASE("the true coefficients are those of the picture from the same place") {
   Scene scene = make_atrium(AtriumFinish::diffuse);
   const Bounds box = field_box(scene, std::nullopt);

@@ -278,8 +278,9 @@ TEST_CASE("a window takes ringing off gloss, and leaves what is matte as it is")
   for (const AtriumFinish finish : {AtriumFinish::bumped_glossy, AtriumFinish::bumped}) {
     const Scene scene = make_atrium(finish);
     Options options = options_of(Lighting::area, 8, 1);
-    options.width = 160;
-    options.height = 128;
+    const bool is_glossy = finish == AtriumFinish::bumped_glossy;
+    options.width = is_glossy ? 160 : 40;  // equal is equal, however small
+    options.height = is_glossy ? 128 : 32;
     const auto error = [&](zonal::Window window) {
       options.window = window;
       const Run run(scene, options);
@@ -287,8 +288,8 @@ TEST_CASE("a window takes ringing off gloss, and leaves what is matte as it is")
     };
     const double without = error(zonal::Window::none), sinc = error(zonal::Window::sinc);
     CAPTURE(without, sinc);
-    if (finish == AtriumFinish::bumped_glossy) CHECK(sinc < 0.92 * without);
-    if (finish == AtriumFinish::bumped) CHECK(sinc == without);
+    if (is_glossy) CHECK(sinc < 0.92 * without);
+    if (!is_glossy) CHECK(sinc == without);
   }
 }
 

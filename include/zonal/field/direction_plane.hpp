@@ -51,6 +51,10 @@ inline float kernel_weight(float squared_distance) {
 
 inline constexpr float kLeastSlopeDamping = 0.1F;  // below, rounding decides on a slope across samples on a line
 
+/// From so many samples a square cell on, a plane has two points a cell along its axes: interpolation between them then
+/// blurs less than samples are apart.
+inline constexpr float kDense = 1;
+
 /// How samples become a field: `slope_damping` from kLeastSlopeDamping, which all that is less counts as, to infinity,
 /// the mean; and what happens to holes.
 struct Resampling {
@@ -68,7 +72,10 @@ class DirectionPlane {
   template <class Visit>
   bool make(const glm::vec3& direction, const glm::ivec3& resolution, const Resampling& resampling,
             const Visit& visit) {
-    set_plane(direction, resolution);
+    set_plane(direction, resolution, 1);
+    float samples = 0;
+    visit([&](const glm::vec3& position, const RadianceSample&) { samples += is_near(place(position)) ? 1.0F : 0.0F; });
+    if (samples >= kDense * float(size_.x) * float(size_.y)) set_plane(direction, resolution, 2);
     std::vector<Sums> sums(detail::lattice_size(size_));
     visit([&](const glm::vec3& position, const RadianceSample& sample) { add(position, sample, sums.data()); });
     points_.resize(sums.size());
@@ -128,13 +135,14 @@ class DirectionPlane {
     }
   };
 
-  void set_plane(const glm::vec3& direction, const glm::ivec3& resolution) {
+  void set_plane(const glm::vec3& direction, const glm::ivec3& resolution, int points_per_cell) {
+    points_per_cell_ = float(points_per_cell);
     const glm::vec3 w = glm::normalize(direction), cells(resolution - 1);
     const float z[3] = {w.x, w.y, w.z};
     float x[3], y[3];
     complete_frame(z, x, y);
-    slope_[0] = {x[0], x[1], x[2]};
-    slope_[1] = {y[0], y[1], y[2]};
+    slope_[0] = glm::vec3(x[0], x[1], x[2]) * points_per_cell_;
+    slope_[1] = glm::vec3(y[0], y[1], y[2]) * points_per_cell_;
     size_.z = 1;
     for (int a = 0; a < 2; ++a) {
       const glm::vec3 ends = slope_[a] * cells, low = (glm::min)(ends, 0.0F), high = (glm::max)(ends, 0.0F);
@@ -144,18 +152,22 @@ class DirectionPlane {
     }
   }
 
-  // Those of which no point is in reach change nothing.
+  // Is it on the plane, or so near that a point may be in its reach?
+  bool is_near(const Place& at) const {
+    const float reach = kKernelRadius * points_per_cell_;
+    return at.x > -reach && at.y > -reach && at.x < float(size_.x) + reach && at.y < float(size_.y) + reach;
+  }
+
   void add(const glm::vec3& position, const RadianceSample& sample, Sums* sums) const {
     const Place at = place(position);
-    constexpr float far = 1e6F;
-    if (!(std::abs(at.x) < far && std::abs(at.y) < far)) return;
-    const auto first = [](float x) { return int(std::ceil((std::max)(x - kKernelRadius, 0.0F))); };
-    const auto last = [](float x, int size) { return (std::min)(int(std::floor(x + kKernelRadius)), size - 1); };
-    const auto squared = [](float x) { return x * x; };
+    if (!is_near(at)) return;
+    const float reach = kKernelRadius * points_per_cell_, cells = 1 / points_per_cell_;
+    const auto first = [&](float x) { return int(std::ceil((std::max)(x - reach, 0.0F))); };
+    const auto last = [&](float x, int size) { return (std::min)(int(std::floor(x + reach)), size - 1); };
     for (int y = first(at.y); y <= last(at.y, size_.y); ++y) {
       for (int x = first(at.x); x <= last(at.x, size_.x); ++x) {
-        const float u = at.x - float(x), v = at.y - float(y), distance2 = squared(u) + squared(v);
-        if (!(distance2 <= squared(kKernelRadius))) continue;
+        const float u = (at.x - float(x)) * cells, v = (at.y - float(y)) * cells, distance2 = u * u + v * v;
+        if (!(distance2 <= kKernelRadius * kKernelRadius)) continue;
         const auto [r, g, b] = sample;
         const float terms[16] = {1, u, v, u * u, u * v, v * v, r, g, b, u * r, u * g, u * b, v * r, v * g, v * b, 0};
         add_product(kernel_weight(distance2), terms, sums[index(x, y)].numbers);
@@ -173,6 +185,7 @@ class DirectionPlane {
 
   std::size_t index(int x, int y) const { return std::size_t(x) + std::size_t(size_.x) * std::size_t(y); }
 
+  float points_per_cell_ = 1;
   glm::vec3 slope_[2]{};
   float offset_[2]{};
   glm::ivec3 size_{0};

@@ -381,7 +381,7 @@ def field_time(folder):
         axes[0][0].plot(*zip(*bake_line(rows, "probes", method="linear", resolution=resolution)), "o-", color=colour,
                         label=f"{resolution:.0f}³ points")
     axes[0][0].set(xscale="log", yscale="log", xlabel="probes", ylabel="resampling, s", title="linear fit")
-    axes[0][0].legend(loc="center right")
+    axes[0][0].legend(loc="upper center", bbox_to_anchor=(0.5, 0.86), ncols=2)
     for method in ("linear", "mean", "space"):
         colour, marker = FIELD_STYLE[method]
         axes[0][1].plot(*zip(*bake_line(rows, "resolution", method=method, probes=most)), color=colour, marker=marker,

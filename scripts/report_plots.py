@@ -375,10 +375,13 @@ def field_time(folder):
     rows = where(read(folder, "field"), part="error")
     if not rows:
         return
-    most, edge = distinct(rows, "probes")[-1], distinct(rows, "resolution")[-1]
+    most = distinct(rows, "probes")[-1]
     figure, axes = panels(1, 2, height=2.9)
-    axes[0][0].plot(*zip(*bake_line(rows, "probes", method="linear", resolution=edge)), "o-", color=BLUE)
-    axes[0][0].set(xscale="log", yscale="log", xlabel="probes", ylabel="resampling, s", title=f"{edge:.0f}³ points")
+    for resolution, colour in zip(distinct(rows, "resolution"), (SKY, GREEN, ORANGE, BLUE)):
+        axes[0][0].plot(*zip(*bake_line(rows, "probes", method="linear", resolution=resolution)), "o-", color=colour,
+                        label=f"{resolution:.0f}³ points")
+    axes[0][0].set(xscale="log", yscale="log", xlabel="probes", ylabel="resampling, s", title="linear fit")
+    axes[0][0].legend(loc="upper center", bbox_to_anchor=(0.5, 0.86), ncols=2)
     for method in ("linear", "mean", "space"):
         colour, marker = FIELD_STYLE[method]
         axes[0][1].plot(*zip(*bake_line(rows, "resolution", method=method, probes=most)), color=colour, marker=marker,

@@ -12,10 +12,10 @@
 // against the paper's, of the field's RMS, mirror spheres of 64 x 64 in 2 x 1 x 1:
 //
 //                                grid         5^3     9^3     17^3    33^3   (twice that along x)
-//   smooth light, 1600 probes    mean       0.0320  0.0111  0.0071  0.0053
-//                                linear     0.0133  0.0055  0.0043  0.0039
-//   a disc of hard edge          mean       0.1217  0.0572  0.0456  0.0401
-//                                linear     0.0705  0.0454  0.0409  0.0368
+//   smooth light, 1600 probes    mean       0.0320  0.0111  0.0071  0.0045
+//                                linear     0.0109  0.0047  0.0048  0.0039
+//   a disc of hard edge          mean       0.1217  0.0572  0.0456  0.0376
+//                                linear     0.0620  0.0434  0.0400  0.0368
 //
 // Lengths are in cells of the grid, along each axis its own: cells are cubes then, and rays stay straight.
 //

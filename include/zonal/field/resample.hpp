@@ -5,9 +5,9 @@
 // the grid, however many samples there are.
 //
 // Buckets come in blocks, and grid points in tiles of 16. A tile looks up a block of buckets, then adds it with its
-// sums in registers. Cost, of B buckets, P probes, V grid points and C coefficients: 36 weighted additions of a sample
-// for each of B P, one look-up (with gradients five) for each of B V, and 3 B V C multiply-adds (with gradients four
-// times as many).
+// sums in registers. Cost, of B buckets, P probes, V grid points and C coefficients: some 7 additions of 16 numbers
+// (where samples are dense 28) for each of B P, one look-up (with gradients five) for each of B V, and 3 B V C
+// multiply-adds (with gradients four times as many).
 //
 // The result does not depend on the threads, to the bit.
 //

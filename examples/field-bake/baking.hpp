@@ -26,7 +26,7 @@ class Baking {
   virtual bool finish(const Ranks& ranks, const Options& options) = 0;
   /// Removes what was kept.
   virtual void forget() = 0;
-  /// Of the grid and, on the way to it, of planes, samples and the paper's lattices: bytes.
+  /// Bytes of the grid.
   virtual std::size_t grid_bytes() const = 0;
 };
 

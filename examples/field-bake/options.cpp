@@ -1,8 +1,5 @@
 #include "options.hpp"
 
-#include <algorithm>
-#include <array>
-
 #include "shared/command_line.hpp"
 #include "shared/input_error.hpp"
 #include "shared/names.hpp"

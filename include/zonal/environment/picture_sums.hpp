@@ -22,6 +22,14 @@ enum class TexelRule { constant_exact, middles };
 
 namespace detail {
 
+// Coefficient i by constant_exact, from its sums of L w Y and w Y and from those of the first coefficient.
+template <class C>
+C constant_exact_coefficient(int i, const C& sum, double one, const C& first_sum, double first_one) {
+  constexpr auto whole = rounded<double>(1 / zonal_normalisation<0>);  // the constant 1's coefficient
+  const C mean = first_sum / first_one;
+  return i == 0 ? mean * whole : sum - mean * one;
+}
+
 template <int N>
 struct PictureSums {
   double radiance[std::size_t{N * N}][3] = {};  // of L w Y
@@ -41,12 +49,12 @@ struct PictureSums {
   Sh<N, C> finish(TexelRule rule) const {
     using T = number_t<C>;
     Sh<N, C> sh;
-    constexpr auto whole = rounded<double>(1 / zonal_normalisation<0>);  // the constant 1's coefficient
     for (int i = 0; i < N * N; ++i) {
       double value[3];
       for (int c = 0; c < 3; ++c) {
-        const double mean = radiance[0][c] / one[0];
-        value[c] = rule == TexelRule::middles ? radiance[i][c] : i == 0 ? mean * whole : radiance[i][c] - mean * one[i];
+        value[c] = rule == TexelRule::middles
+                       ? radiance[i][c]
+                       : constant_exact_coefficient(i, radiance[i][c], one[i], radiance[0][c], one[0]);
       }
       sh.values[i] = C{static_cast<T>(value[0]), static_cast<T>(value[1]), static_cast<T>(value[2])};
     }

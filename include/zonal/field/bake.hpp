@@ -109,7 +109,6 @@ class BakeFolder {
   }
 
   std::uint64_t fingerprint() const { return fingerprint_; }
-  std::size_t probe_count() const { return probes_; }
   std::size_t bucket_count() const { return buckets_; }
 
   std::size_t file_count() const { return (probes_ + per_file_ - 1) / per_file_; }

@@ -25,7 +25,7 @@
 #include <glm/vec3.hpp>
 
 #include "../basis/evaluate.hpp"
-#include "../basis/normalisation.hpp"
+#include "../environment/picture_sums.hpp"
 #include "../grid/coefficient_grid.hpp"
 #include "../scalar/for_each.hpp"
 #include "../scalar/lanes.hpp"
@@ -73,7 +73,6 @@ class FieldSums {
   explicit FieldSums(Grid grid) : grid_(std::move(grid)), rest_(lanes_ * Grid::vertex_size) {
     std::fill(grid_.data(), grid_.data() + grid_.size(), 0.0F);
   }
-  const Grid& grid() const { return grid_; }
 
   /// Adds a block. Which blocks there are, and their order, must be the same for the same bits.
   template <class ForEach = SerialForEach>
@@ -218,13 +217,13 @@ class FieldSums {
     const float* sums = sums_of(tile);
     const std::vector<float> numbers(sums, sums + lanes_ * Grid::vertex_size);
     const std::size_t first = tile * lanes_, count = (std::min)(lanes_, grid_.vertex_count() - first);
-    constexpr double whole = rounded<double>(1 / detail::zonal_normalisation<0>);  // the coefficient of the constant 1
     for (std::size_t n = 0; n < std::size_t(Grid::vertex_size) * count; ++n) {
       const std::size_t vertex = n / Grid::vertex_size, number = n % Grid::vertex_size;
-      const std::size_t coefficient = number % Grid::block_size / 3, mean_number = number - 3 * coefficient;
+      const std::size_t coefficient = number % Grid::block_size / 3, first_number = number - 3 * coefficient;
       const double sum = double(numbers[number * lanes_ + vertex]);
-      const double mean = is_any ? double(numbers[mean_number * lanes_ + vertex]) / one_[0] : 0;
-      const double value = coefficient == 0 ? mean * whole : sum - mean * one_[coefficient];
+      const double first_sum = double(numbers[first_number * lanes_ + vertex]);
+      const double value =
+          is_any ? detail::constant_exact_coefficient(int(coefficient), sum, one_[coefficient], first_sum, one_[0]) : 0;
       grid_.data()[first * Grid::vertex_size + n] = float(value);
     }
   }

@@ -65,11 +65,12 @@ class ReferenceFieldSums {
   bool finish(Grid& result, ForEach&& = {}) {
     const bool is_any = one_[0] > 0;
     detail::for_each_point(grid_.resolution(), [&](int i, int j, int k, std::size_t v) {
-      Sh<N, glm::dvec3> sum = sums_[v];
-      const glm::dvec3 mean = is_any ? sum[0] / one_[0] : glm::dvec3(0);
-      sum -= one_ * mean;
-      sum[0] = mean / rounded<double>(detail::zonal_normalisation<0>);
-      grid_.set({i, j, k}, Sh<N, glm::vec3>(sum));
+      const Sh<N, glm::dvec3>& sum = sums_[v];
+      Sh<N, glm::vec3> value{};
+      for (int n = 0; is_any && n < N * N; ++n) {
+        value[n] = glm::vec3(detail::constant_exact_coefficient(n, sum[n], one_[n], sum[0], one_[0]));
+      }
+      grid_.set({i, j, k}, value);
     });
     result = grid_;
     return is_any;

@@ -1,7 +1,9 @@
 #include "gather_hvl.hpp"
+#include "planned_hvl.hpp"
 
 namespace example::hvl_render {
 
 template std::unique_ptr<Gatherer> make_hvl<zonal::Horizon::smoothstep>(const GatherInput& input);
+template std::unique_ptr<PlannedGatherer> make_planned_hvl<zonal::Horizon::smoothstep>(const GatherInput& input);
 
 }  // namespace example::hvl_render

@@ -7,8 +7,8 @@
 #include <zonal/gather/vsl.hpp>
 
 #include "gather_hvl.hpp"
-#include "shared/random.hpp"
 #include "shared/input_error.hpp"
+#include "shared/random.hpp"
 
 namespace example::hvl_render {
 

@@ -13,6 +13,7 @@
 #include "option_names.hpp"
 #include "options.hpp"
 #include "path.hpp"
+#include "planned_gather.hpp"
 #include "report.hpp"
 #include "shared/image_file.hpp"
 #include "shared/input_error.hpp"
@@ -45,7 +46,8 @@ struct Renderers {
   const RayCaster& caster;
   MaterialTables tables;
   VirtualLightMap map;
-  std::unique_ptr<Gatherer> gatherer;  // null: no virtual lights
+  std::unique_ptr<Gatherer> gatherer;  // null: no virtual lights, or a plan
+  std::unique_ptr<PlannedGatherer> planned;
   std::optional<PathTracer> paths;
 };
 
@@ -73,7 +75,12 @@ void prepare_lights(Renderers& renderers, Report& report) {
   }
   report.times.time(stage_name::lights, [&] {
     renderers.map = shoot_virtual_lights(renderers.scene, renderers.caster, renderers.tables, options);
-    renderers.gatherer = make_gatherer({renderers.scene, renderers.caster, renderers.tables, renderers.map, options});
+    const GatherInput input{renderers.scene, renderers.caster, renderers.tables, renderers.map, options};
+    if (options.is_planned()) {
+      renderers.planned = make_planned(input);
+    } else {
+      renderers.gatherer = make_gatherer(input);
+    }
   });
   report.counts.map_lights = renderers.map.lights.size();
   report.counts.virtual_lights =
@@ -124,13 +131,18 @@ Layer direct_layer(const Scene& scene, const RayCaster& caster, Pictures& pictur
 Pictures render(const Renderers& renderers, Report& report) {
   const Scene& scene = renderers.scene;
   const Image blank(report.options.width, report.options.height);
-  Pictures pictures{renderers.gatherer ? blank : Image(), renderers.paths ? blank : Image()};
+  Pictures pictures{renderers.gatherer || renderers.planned ? blank : Image(), renderers.paths ? blank : Image()};
   std::vector<Layer> layers{direct_layer(scene, renderers.caster, pictures)};
   if (renderers.gatherer) {
     const auto radiance = [&](const Hit& hit, std::size_t sample) {
       return renderers.gatherer->indirect_radiance(hit, towards_camera(scene, hit), sample);
     };
     layers.push_back(layer(stage_name::gather, gather_cost(report), pictures.lights, radiance));
+  }
+  if (renderers.planned) {
+    layers.push_back({stage_name::gather, gather_cost(report), [&](const PrimaryHits& hits, const Stage& stage) {
+                        renderers.planned->add(pictures.lights, hits, stage);
+                      }});
   }
   if (renderers.paths) {
     const auto radiance = [&](const Hit& hit, std::size_t sample) {
@@ -178,18 +190,19 @@ void run(const Options& options) {
   const auto caster = report.times.time(stage_name::scene, [&] { return std::make_unique<RayCaster>(scene); });
   report.counts.triangles = scene.mesh.triangles.size();
   report.counts.materials = scene.materials.size();
-  Renderers renderers{scene, *caster, MaterialTables(), VirtualLightMap(), nullptr, std::nullopt};
+  Renderers renderers{scene, *caster, MaterialTables(), VirtualLightMap(), nullptr, nullptr, std::nullopt};
   if (options.needs_lights()) prepare_lights(renderers, report);
   if (options.needs_paths()) prepare_paths(renderers, report);
 
   Pictures pictures = render(renderers, report);
   report.counts.pixels_not_finite = repair(program_name, {&pictures.lights, &pictures.path});
   const bool black = warn_if_black(program_name, pictures.first(), report.counts.primary_hits);
-  if (!black && renderers.gatherer && report.counts.virtual_lights == 0) {
+  if (!black && options.needs_lights() && report.counts.virtual_lights == 0) {
     warn(program_name, "the light falls on nothing: there are no virtual lights");
   }
   if (options.comparing()) report.errors = compare(pictures.lights, pictures.path, options.display);
   if (reference) report.errors = compare(pictures.first(), *reference, options.display);
+  if (renderers.planned) report.plan = renderers.planned->figures();
   throw_if_interrupted();
   write(outputs, pictures, report);
   if (!options.quiet) std::fputs(table(report).c_str(), stdout);

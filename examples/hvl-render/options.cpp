@@ -80,7 +80,7 @@ void set_radius(const std::string& radius, Options& options) {
 void add_virtual_light_options(CLI::App& app, Options& options) {
   const std::string group = "Virtual lights";
   CLI::Option* lights =
-      add_number(app, "--lights", options.lights, 1, most_lights, "1...1000000", "How many; rounded up to a square")
+      add_number(app, "--lights", options.lights, 1, most_lights, "1...10000000", "How many; rounded up to a square")
           ->group(group);
   app.add_option_function<double>(
          "--time-budget", [&options](const double& seconds) { options.time_budget = seconds; },
@@ -134,6 +134,18 @@ void add_hvl_options(CLI::App& app, Options& options) {
       ->group(group);
 }
 
+void add_plan_options(CLI::App& app, Options& options) {
+  const std::string group = "Tolerance";
+  add_number(app, "--tolerance", options.tolerance, 0.0, 1.0, "0...1",
+             "hvl: how far indirect light may be off, as a root mean square: 0.01 is 1 %. Lights are then drawn for "
+             "many, as few as that allows; 0 gathers them all")
+      ->group(group);
+  add_number(app, "--check", options.checked_share, 0.0f, 1.0f, "0...1",
+             "Gather that share of the pixels in full as well, and report the error measured")
+      ->group(group);
+  app.add_flag("--explain", options.explain, "Report what was left out, why, and what it saved")->group(group);
+}
+
 void add_path_options(CLI::App& app, Options& options) {
   const std::string group = "Path tracing";
   add_number(app, "--spp", options.samples_per_pixel, 1, 1000000, "1...1000000",
@@ -160,6 +172,9 @@ void check_methods(const CLI::App& app, const Options& options) {
       {"--emission-bands", hvl},
       {"--horizon", hvl},
       {"--window", hvl},
+      {"--tolerance", hvl},
+      {"--check", hvl},
+      {"--explain", hvl},
   };
   for (const auto& [option, methods] : users) {
     if (app.count(option) > 0 && std::find(methods.begin(), methods.end(), options.method) == methods.end()) {
@@ -203,6 +218,7 @@ CommandLine<Options> parse_command_line(int argc, char** argv) {
   add_material_options(app, line.options);
   add_virtual_light_options(app, line.options);
   add_hvl_options(app, line.options);
+  add_plan_options(app, line.options);
   add_path_options(app, line.options);
   line.exit_status = parse(app, argc, argv);
   if (!line.exit_status) {

@@ -49,6 +49,10 @@ struct Options : CommonOptions {
   HorizonRule horizon = HorizonRule::smoothstep;
   zonal::Window window = zonal::Window::none;
 
+  double tolerance = 0.0;      // root mean square error, of that of the indirect light; 0: all lights
+  float checked_share = 0.0f;  // of hits that are gathered in full as well
+  bool explain = false;
+
   int samples_per_pixel = 256;
   int bounces = 1;
   std::uint64_t seed = 1;
@@ -56,6 +60,7 @@ struct Options : CommonOptions {
   std::string reference;
 
   bool needs_lights() const { return method != Method::path; }
+  bool is_planned() const { return tolerance > 0.0; }
   bool needs_paths() const { return comparing() || method == Method::path; }
 };
 

@@ -106,6 +106,17 @@ std::string budget_text(const Report& report) {
                 report.options.lights == 1 ? "" : "s", took);
 }
 
+/// What a tolerance left out, and how far off that is.
+std::string plan_text(const Report& report) {
+  const PlanFigures& plan = *report.plan;
+  const auto hits = static_cast<double>(std::max<std::size_t>(plan.hits, 1));
+  std::string text = format("Tolerance %.3g %%: %.0f lights per hit in place of %zu; error at most %.3g %%",
+                            100 * report.options.tolerance, plan.pairs / hits, report.counts.virtual_lights,
+                            100 * plan.proved_error());
+  if (plan.checked > 0) text += format(", measured %.3g %% at %zu hits", 100 * plan.measured_error(), plan.checked);
+  return text + ".\n";
+}
+
 }  // namespace
 
 double nanoseconds_per_gather(const Report& report) {
@@ -133,6 +144,7 @@ std::string table(const Report& report) {
   if (report.options.needs_lights() && report.counts.virtual_lights != report.counts.map_lights) {
     text += format("%zu of them carry no light.\n", report.counts.map_lights - report.counts.virtual_lights);
   }
+  if (report.plan) text += plan_text(report);
   if (report.options.comparing()) {
     text += format("Difference: red where %s is brighter, blue where darker; full at %.2f of luma.\n",
                    name_of(method_names, report.options.method).c_str(), static_cast<double>(difference_full_scale));

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "options.hpp"
+#include "planned_gather.hpp"
 #include "shared/image.hpp"
 #include "shared/stage_times.hpp"
 
@@ -33,6 +34,7 @@ struct Report {
   Counts counts;
   Machine machine;
   double material_error = 0.0;        // greatest of the projections, of each table's largest coefficient
+  std::optional<PlanFigures> plan;    // where there was a tolerance
   std::optional<ImageErrors> errors;  // where there was something to compare with
 };
 

@@ -49,8 +49,8 @@ struct VirtualLightMap {
 int map_side(const Options& options);
 
 /// What --lights and a map can be at most: more texels would ask for gigabytes.
-inline constexpr int most_lights = 1000000;
-inline constexpr int most_texels_across = 2048;
+inline constexpr int most_lights = 10000000;
+inline constexpr int most_texels_across = 3200;
 
 /// The greatest map of the options' method, as the square root of --lights.
 int greatest_side(const Options& options);

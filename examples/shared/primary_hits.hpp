@@ -35,6 +35,10 @@ class PrimaryHits {
 
   Slice slice() const { return slice_; }
   std::size_t pixel_count() const { return static_cast<std::size_t>(slice_.rows) * static_cast<std::size_t>(width_); }
+  /// Of a pixel, by column and row.
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+  }
   std::size_t per_pixel() const { return per_pixel_; }
 
   std::span<std::optional<Hit>> of_pixel(std::size_t pixel) { return {&hits_[pixel * per_pixel_], per_pixel_}; }

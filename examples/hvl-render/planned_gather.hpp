@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "gatherer.hpp"
+#include "shared/primary_hits.hpp"
+
+namespace example::hvl_render {
+
+/// What a planned gather did, and how far it may be off. Sums over primary hits; radiance is RGB added up.
+struct PlanFigures {
+  std::size_t hits = 0, groups = 0;
+  double pairs = 0;             // of hits and lights that were gathered
+  double draws = 0;             // lights put in place for it
+  double power = 0;             // squares of the radiance
+  double variance = 0;          // squares of the deviation, at most, as the cuts prove
+  std::size_t checked = 0;      // hits gathered in full as well
+  double checked_power = 0;     // the squares of what these are,
+  double checked_error = 0;     // and of the difference
+  double checked_variance = 0;  // what was proved of them
+
+  PlanFigures& operator+=(const PlanFigures& other);
+  /// Root mean squares relative to that of the radiance: as proved, and as measured.
+  double proved_error() const;
+  double measured_error() const;
+};
+
+/// Gathers blocks of pixels within a tolerance.
+class PlannedGatherer {
+ public:
+  PlannedGatherer() = default;
+  virtual ~PlannedGatherer() = default;
+  PlannedGatherer(const PlannedGatherer&) = delete;
+  PlannedGatherer& operator=(const PlannedGatherer&) = delete;
+
+  /// Adds to each pixel of the slice the mean over its hits. The same for any number of threads.
+  virtual void add(Image& image, const PrimaryHits& hits, const Stage& stage) = 0;
+
+  /// Of all slices so far.
+  virtual PlanFigures figures() const = 0;
+  /// Bytes that lights, and what is known of them, take; and by the full gather.
+  virtual std::size_t bytes() const = 0;
+};
+
+/// By the options' tolerance, for harmonics virtual lights.
+std::unique_ptr<PlannedGatherer> make_planned(const GatherInput& input);
+
+}  // namespace example::hvl_render

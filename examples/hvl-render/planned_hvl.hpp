@@ -1,0 +1,244 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <zonal/many_lights/hvl_tree.hpp>
+#include <zonal/many_lights/receiver_groups.hpp>
+
+#include "cached_gatherer.hpp"
+#include "gather_hvl.hpp"
+#include "planned_gather.hpp"
+#include "shared/random.hpp"
+
+namespace example::hvl_render {
+
+/// Tile after tile: the hits of a tile by surface; for each of these groups a cut of the tree; and of that some draws,
+/// each for the pixels at one place of a pattern of 4 x 4.
+template <int N, int NE, zonal::Horizon H>
+class PlannedHvl final : public PlannedGatherer {
+ public:
+  explicit PlannedHvl(const GatherInput& input)
+      : input_(input),
+        lights_(lit(input.map)),
+        tree_(lights_, [](int count, const auto& body) { tbb::parallel_for(0, count, body); }) {
+    tolerance_.relative = static_cast<float>(input.options.tolerance);
+    tolerance_.with_visibility = input.options.centre_visibility;
+  }
+
+  void add(Image& image, const PrimaryHits& hits, const Stage& stage) override {
+    const Tiles tiles(image.width, hits);
+    if (!(tolerance_.typical_radiance > 0.0f)) tolerance_.typical_radiance = glance(tiles, hits);
+    figures_ += for_each_tile(tiles, 1, [&](const Tile& tile, Scratch& scratch) {
+      collect(tile, hits, scratch);
+      const PlanFigures figures = for_each_group(scratch, [&](const Group& group) {
+        find_cut(group, tolerance_, scratch);
+        return add_group(image, hits, group, scratch);
+      });
+      stage.progress.advance(stage.label, stage.cost_per_pixel * tile.width * tile.height);
+      return figures;
+    });
+  }
+
+  PlanFigures figures() const override { return figures_; }
+  std::size_t bytes() const override { return tree_.bytes(); }
+
+ private:
+  /// Pixels of the slice.
+  struct Tile {
+    int left, top, width, height;
+  };
+  struct Tiles {
+    int width, height, side, across, down;
+
+    /// Some 1024 hits each: a cut then costs little, and is about as coarse as that of a smaller tile.
+    Tiles(int image_width, const PrimaryHits& hits)
+        : width(image_width),
+          height(hits.slice().rows),
+          side(std::max(4, static_cast<int>(32.0 / std::sqrt(static_cast<double>(hits.per_pixel()))) / 4 * 4)),
+          across((width + side - 1) / side),
+          down((height + side - 1) / side) {}
+
+    int count() const { return across * down; }
+    Tile operator[](int number) const {
+      const int left = number % across * side, top = number / across * side;
+      return {left, top, std::min(side, width - left), std::min(side, height - top)};
+    }
+  };
+  /// A hit of a tile: of which pixel and sample of the image.
+  struct Place {
+    const Hit* hit;
+    std::size_t pixel, sample;
+    std::uint32_t pattern;  // by which it takes a draw
+  };
+  struct Group {
+    const zonal::GroupedReceiver* receivers;
+    int count;
+  };
+  /// What a thread works with.
+  struct Scratch {
+    std::vector<Place> places;
+    std::vector<zonal::GroupedReceiver> receivers;
+    std::vector<zonal::HvlCache<NE>> draws;
+    std::optional<zonal::LightCut<N, NE, H>> cut;
+
+    const Place& place(const Group& group, int i) const {
+      return places[static_cast<std::size_t>(group.receivers[i].index)];
+    }
+  };
+
+  /// The sum of body(tile, scratch) over every step-th tile, on all threads, added up in order.
+  template <class Body>
+  PlanFigures for_each_tile(const Tiles& tiles, int step, const Body& body) {
+    std::vector<PlanFigures> figures(static_cast<std::size_t>(tiles.count()));
+    tbb::parallel_for(0, tiles.count(), step, [&](int number) {
+      if (!stop_requested()) figures[static_cast<std::size_t>(number)] = body(tiles[number], scratch_.local());
+    });
+    throw_if_interrupted();
+    PlanFigures sum;
+    for (const PlanFigures& tile : figures) sum += tile;
+    return sum;
+  }
+
+  template <class Body>
+  static PlanFigures for_each_group(Scratch& scratch, const Body& body) {
+    PlanFigures sum;
+    zonal::for_each_receiver_group(scratch.receivers.data(), static_cast<int>(scratch.receivers.size()),
+                                   [&](const zonal::GroupedReceiver* receivers, int count) {
+                                     sum += body(Group{receivers, count});
+                                   });
+    return sum;
+  }
+
+  void collect(const Tile& tile, const PrimaryHits& hits, Scratch& scratch) const {
+    scratch.places.clear();
+    scratch.receivers.clear();
+    const auto per_pixel = static_cast<std::uint32_t>(hits.per_pixel());
+    for (int y = tile.top; y < tile.top + tile.height; ++y) {
+      for (int x = tile.left; x < tile.left + tile.width; ++x) {
+        const std::size_t in_slice = hits.index(x, y), pixel = hits.index(x, y + hits.slice().first_row);
+        for (std::uint32_t sample = 0; sample < per_pixel; ++sample) {
+          const std::optional<Hit>& hit = hits.of_pixel(in_slice)[sample];
+          if (!hit) continue;
+          scratch.receivers.push_back({hit->position, hit->normal, static_cast<int>(scratch.places.size())});
+          const auto pattern = static_cast<std::uint32_t>(x % 4 + 4 * (y % 4)) + 7 * sample;
+          scratch.places.push_back({&*hit, pixel, pixel * per_pixel + sample, pattern});
+        }
+      }
+    }
+  }
+
+  /// The root mean square of the radiance, by coarse cuts at some tiles.
+  float glance(const Tiles& tiles, const PrimaryHits& hits) {
+    constexpr int one_of = 7;
+    zonal::CutTolerance coarse = tolerance_;
+    coarse.relative = std::max(coarse.relative, 0.1f);
+    const PlanFigures figures = for_each_tile(tiles, one_of, [&](const Tile& tile, Scratch& scratch) {
+      collect(tile, hits, scratch);
+      return for_each_group(scratch, [&](const Group& group) {
+        find_cut(group, coarse, scratch);
+        PlanFigures seen;
+        seen.hits = static_cast<std::size_t>(group.count);
+        seen.power = scratch.cut->power() * group.count;
+        return seen;
+      });
+    });
+    return figures.hits > 0 ? static_cast<float>(std::sqrt(figures.power / static_cast<double>(figures.hits))) : 0.0f;
+  }
+
+  std::uint64_t seed_of(const Group& group, const Scratch& scratch) const {
+    return hash64(input_.options.seed ^ hash64(scratch.place(group, 0).sample));
+  }
+
+  void find_cut(const Group& group, const zonal::CutTolerance& tolerance, Scratch& scratch) const {
+    constexpr int count = zonal::cut_receivers;
+    const std::uint64_t seed = seed_of(group, scratch);
+    zonal::BoundedReceiver<N, float> chosen[count];
+    for (int i = 0; i < count; ++i) {
+      const double part = (i + zonal::detail::scatter(seed, static_cast<std::uint64_t>(i))) / count;
+      const int index = std::min(static_cast<int>(part * group.count), group.count - 1);
+      chosen[i] = bounded(*scratch.place(group, index).hit);
+    }
+    if (!scratch.cut) scratch.cut.emplace(tree_.tree());
+    scratch.cut->find(zonal::as_packet(chosen), tolerance);
+  }
+
+  PlanFigures add_group(Image& image, const PrimaryHits& hits, const Group& group, Scratch& scratch) const {
+    const zonal::LightCut<N, NE, H>& cut = *scratch.cut;
+    constexpr int most_draws = 16, hits_of_a_draw = 12;
+    const int draws = std::clamp(group.count / hits_of_a_draw, 1, most_draws);
+    scratch.draws.resize(static_cast<std::size_t>(draws));
+    tree_.draw(cut, seed_of(group, scratch), scratch.draws);
+
+    PlanFigures figures;
+    figures.hits = static_cast<std::size_t>(group.count), figures.groups = 1;
+    figures.variance = cut.variance() * group.count;
+    figures.pairs = static_cast<double>(cut.size()) * group.count;
+    figures.draws = static_cast<double>(cut.size()) * draws;
+    for (std::uint32_t draw = 0; draw < static_cast<std::uint32_t>(draws); ++draw) {
+      for (int i = 0; i < group.count; ++i) {
+        const Place& place = scratch.place(group, i);
+        if (place.pattern % static_cast<std::uint32_t>(draws) != draw) continue;
+        const glm::vec3 radiance = gather(scratch.draws[draw], *place.hit);
+        image.pixels[place.pixel] += radiance / static_cast<float>(hits.per_pixel());
+        figures.power += power_of(radiance);
+        if (is_checked(place.sample)) check(figures, radiance, gather(lights_, *place.hit), cut.variance());
+      }
+    }
+    return figures;
+  }
+
+  zonal::BoundedReceiver<N, float> bounded(const Hit& hit) const {
+    const zonal::Receiver receiver = receiver_at(hit);
+    if (const auto& anisotropic = input_.materials.anisotropic[hit.material]) {
+      return zonal::bounded_receiver<N>(receiver, *anisotropic);
+    }
+    return zonal::bounded_receiver(receiver, coefficients_at<N>(input_.materials, hit, receiver));
+  }
+
+  zonal::Receiver receiver_at(const Hit& hit) const {
+    return {hit.position, hit.normal, towards_camera(input_.scene, hit), hit.tangent};
+  }
+
+  glm::vec3 gather(const zonal::HvlCache<NE>& cache, const Hit& hit) const {
+    const CentreRay ray{input_.caster, hit};
+    const zonal::Visibility visible = input_.options.centre_visibility ? zonal::Visibility(ray) : zonal::Visibility();
+    return gather_at<N, NE, H>(input_.materials, cache, receiver_at(hit), hit, visible);
+  }
+
+  static double power_of(const glm::vec3& radiance) { return glm::dot(glm::dvec3(radiance), glm::dvec3(radiance)); }
+
+  bool is_checked(std::size_t sample) const {
+    return unit_float(static_cast<std::uint32_t>(hash64(sample) >> 32)) < input_.options.checked_share;
+  }
+  static void check(PlanFigures& figures, const glm::vec3& radiance, const glm::vec3& full, double variance) {
+    ++figures.checked;
+    figures.checked_error += power_of(radiance - full);
+    figures.checked_power += power_of(full);
+    figures.checked_variance += variance;
+  }
+
+  GatherInput input_;
+  zonal::CutTolerance tolerance_;
+  zonal::HvlCache<NE> lights_;
+  zonal::HvlTree<NE> tree_;
+  tbb::enumerable_thread_specific<Scratch> scratch_;
+  PlanFigures figures_;
+};
+
+/// Null for numbers of bands that are not compiled in.
+template <zonal::Horizon H>
+std::unique_ptr<PlannedGatherer> make_planned_hvl(const GatherInput& input) {
+  std::unique_ptr<PlannedGatherer> gatherer;
+  dispatch_hvl<H>(input.options, [&](auto n, auto ne) { gatherer = std::make_unique<PlannedHvl<n, ne, H>>(input); });
+  return gatherer;
+}
+
+}  // namespace example::hvl_render

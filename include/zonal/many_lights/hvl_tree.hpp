@@ -1,0 +1,131 @@
+// Harmonics virtual lights in a tree, and the few that a cut draws of them as a cache for `gather`.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "../gather/hvl.hpp"
+#include "../transform/rotate.hpp"
+#include "light_cut.hpp"
+
+namespace zonal {
+inline namespace ZONAL_TARGET {
+
+/// What a light sends, as the tree keeps it.
+template <int NE, class Emission>
+TreeLight<NE> tree_light(const HvlRecord<NE, float, Emission>& record) {
+  const auto vector = [](const float(&v)[3]) { return glm::vec3(v[0], v[1], v[2]); };
+  TreeLight<NE> light;
+  light.position = vector(record.position);
+  light.normal = vector(record.normal);
+  light.radius = record.radius;
+  for (int l = 0; l < NE; ++l) {
+    for (int m = Emission::even_in_phi ? l % 2 : -l; m <= l; m += 2) {
+      const int i = Emission::index(l, m);
+      light.emission(l, m) = glm::vec3(record.emission[0][i], record.emission[1][i], record.emission[2][i]) *
+                             (record.radius * record.radius);
+    }
+  }
+  if constexpr (NE > 1) {
+    const glm::vec3 tangent = vector(record.tangent);
+    light.emission = rotate(light.emission,
+                            Rotation<NE, float>::from_axes(tangent, glm::cross(light.normal, tangent), light.normal));
+  }
+  return light;
+}
+
+/// The lights of a cache.
+template <int NE>
+class HvlTree {
+ public:
+  using Record = HvlRecord<NE, float>;
+  using AnisotropicRecord = HvlRecord<NE, float, AnyEmission>;
+
+  HvlTree() = default;
+  template <class ForEach = SerialForEach>
+  explicit HvlTree(const HvlCache<NE>& lights, const ForEach& for_each = {}) {
+    const auto& isotropic = lights.isotropic();
+    const auto& anisotropic = lights.anisotropic();
+    tree_ = LightTree<NE>(
+        lights.size(),
+        [&](int i) {
+          return i < isotropic.size() ? tree_light(isotropic.record(i))
+                                      : tree_light(anisotropic.record(i - isotropic.size()));
+        },
+        for_each);
+    // In the tree's order, for what is drawn together lies near together.
+    if (anisotropic.size() > 0) ranks_.reserve(std::size_t(size()));
+    for (int place = 0; place < size(); ++place) {
+      const int light = tree_.light_at(place);
+      if (light < isotropic.size()) {
+        if (anisotropic.size() > 0) ranks_.push_back(int(isotropic_.size()));
+        isotropic_.push_back(isotropic.record(light));
+      } else {
+        ranks_.push_back(~int(anisotropic_.size()));
+        anisotropic_.push_back(anisotropic.record(light - isotropic.size()));
+      }
+    }
+  }
+
+  int size() const { return tree_.size(); }
+  const LightTree<NE>& tree() const { return tree_; }
+  /// Memory, without what a vector holds in reserve.
+  std::size_t bytes() const {
+    return tree_.bytes() + ranks_.size() * sizeof(int) + isotropic_.size() * sizeof(Record) +
+           anisotropic_.size() * sizeof(AnisotropicRecord);
+  }
+
+  /// Lights for `gather` in place of all, as many draws of a cut of this tree as `draws` has caches: see
+  /// LightCut::draw.
+  template <int N, Horizon method>
+  void draw(const LightCut<N, NE, method>& cut, std::uint64_t seed, std::vector<HvlCache<NE>>& draws) const {
+    // The records lie anywhere: each is fetched while others are put in their place.
+    struct Drawn {
+      int draw, place;
+      float factor;
+    };
+    constexpr int ahead = 32;
+    Drawn waiting[ahead];
+    int count = 0;
+    const auto put = [&](const Drawn& drawn) { append(drawn.place, drawn.factor, draws[std::size_t(drawn.draw)]); };
+    for (HvlCache<NE>& cache : draws) cache.clear();
+    cut.draw(int(draws.size()), seed, [&](int draw, int place, float factor) {
+      Drawn& next = waiting[count % ahead];
+      if (count >= ahead) put(next);
+      next = {draw, place, factor};
+      prefetch(place);
+      ++count;
+    });
+    for (int i = (std::max)(count - ahead, 0); i < count; ++i) put(waiting[i % ahead]);
+  }
+
+ private:
+  int rank(int place) const { return ranks_.empty() ? place : ranks_[std::size_t(place)]; }
+
+  void append(int place, float factor, HvlCache<NE>& to) const {
+    const int r = rank(place);
+    if (r >= 0) {
+      to.append(scaled(isotropic_[std::size_t(r)], factor));
+    } else {
+      to.append(scaled(anisotropic_[std::size_t(~r)], factor));
+    }
+  }
+
+  void prefetch([[maybe_unused]] int place) const {
+#if defined(__GNUC__)
+    const int r = rank(place);
+    if (r < 0) return;
+    const auto* bytes = reinterpret_cast<const char*>(&isotropic_[std::size_t(r)]);
+    for (std::size_t i = 0; i < sizeof(Record); i += 64) __builtin_prefetch(bytes + i);
+    __builtin_prefetch(bytes + sizeof(Record) - 1);
+#endif
+  }
+
+  LightTree<NE> tree_;
+  std::vector<int> ranks_;  // of the light at a place: in one list, or ~ in the other; none where all are isotropic
+  std::vector<Record> isotropic_;
+  std::vector<AnisotropicRecord> anisotropic_;
+};
+
+}  // namespace ZONAL_TARGET
+}  // namespace zonal

@@ -1,0 +1,300 @@
+// Cuts and draws: whether the few lights give the sum of all, in the mean and within the tolerance; the tree they come
+// from; and groups of receivers.
+#include <zonal/many_lights/hvl_tree.hpp>
+#include <zonal/many_lights/receiver_groups.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "../catch.hpp"
+#include "patches.hpp"
+
+using namespace many_lights_test;
+
+namespace {
+
+constexpr zonal::Horizon rule = zonal::Horizon::smoothstep;
+template <int NE>
+using Cut = zonal::LightCut<5, NE, rule>;
+
+/// Lights on the six walls of a room about the origin.
+std::vector<zonal::VirtualLight> room_lights(Random& random, int count) {
+  std::vector<zonal::VirtualLight> lights;
+  for (int i = 0; i < count; ++i) {
+    zonal::VirtualLight light;
+    const int axis = i % 3;
+    const float side = i % 2 == 0 ? 1.0F : -1.0F;
+    for (int k = 0; k < 3; ++k) light.position[k] = k == axis ? 2 * side : random.uniform(-2, 2);
+    light.normal = glm::vec3(0);
+    light.normal[axis] = -side;
+    light.to_primary = glm::normalize(light.normal + 0.3F * random.direction());
+    light.flux = glm::vec3(1, 0.9F, 0.7F) / float(count);
+    light.radius = 2.0F / std::sqrt(float(count));
+    gather_test::set_material(light, axis == 0 ? materials().plastic : materials().white);
+    lights.push_back(light);
+  }
+  return lights;
+}
+
+struct Scene {
+  zonal::HvlCache<3> lights;
+  zonal::HvlTree<3> tree;
+  std::vector<zonal::Receiver> receivers;
+  std::vector<zonal::EvenSh<5, glm::vec3>> coefficients;
+  zonal::CutReceivers<5> packet;
+
+  Scene(unsigned seed, int count) {
+    Random random(seed);
+    lights = zonal::HvlCache<3>(room_lights(random, count));
+    tree = zonal::HvlTree<3>(lights);
+    zonal::BoundedReceiver<5, float> bounded[zonal::cut_receivers];
+    for (auto& one : bounded) {
+      const zonal::Receiver receiver{{random.uniform(-0.2F, 0.2F), random.uniform(-0.2F, 0.2F), -1.9F},
+                                     {0, 0, 1},
+                                     random.direction_above({0, 0, 1})};
+      receivers.push_back(receiver);
+      coefficients.push_back(reflected_by<5>(materials().plastic, receiver));
+      one = zonal::bounded_receiver(receiver, coefficients.back());
+    }
+    packet = zonal::as_packet(bounded);
+  }
+  glm::dvec3 gather(const zonal::HvlCache<3>& cache, std::size_t i) const {
+    return glm::dvec3(zonal::gather<5, 3, rule>(cache, receivers[i], coefficients[i]));
+  }
+};
+
+double square(const glm::dvec3& v) { return glm::dot(v, v); }
+
+}  // namespace
+
+TEST_CASE("light tree: holds each light once, and of each cluster the means and how far its lights reach") {
+  Random random(21);
+  for (const int count : {1, 2, 3, 5, 64, 1000, 70000}) {
+    const zonal::HvlCache<1> lights(room_lights(random, count));
+    const zonal::HvlTree<1> hvl(lights);
+    const zonal::LightTree<1>& tree = hvl.tree();
+    std::vector<int> order(static_cast<std::size_t>(count));
+    for (int place = 0; place < count; ++place) order[std::size_t(place)] = tree.light_at(place);
+    std::vector<int> sorted = order;
+    std::sort(sorted.begin(), sorted.end());
+    std::vector<int> all(static_cast<std::size_t>(count));
+    std::iota(all.begin(), all.end(), 0);
+    REQUIRE(sorted == all);
+    for (std::size_t n = 0; n < tree.nodes().size(); n += tree.nodes().size() / 200 + 1) {
+      const auto& node = tree.nodes()[n];
+      glm::dvec3 mean(0), normal(0);
+      double weight = 0;
+      for (int place = node.first; place < node.last; ++place) {
+        const auto light = zonal::tree_light(lights.isotropic().record(tree.light_at(place)));
+        const double own = double(tree.weight_of(light));
+        mean += own * glm::dvec3(light.position), normal += own * glm::dvec3(light.normal), weight += own;
+        for (int i = 0; i < 3; ++i) {
+          REQUIRE(std::abs(light.position[i] - node.position[i]) <= node.reach[i]);
+        }
+        REQUIRE(glm::distance(light.normal, node.normal) <= node.normal_reach + 1e-6F);
+      }
+      CAPTURE(count, n, node.first, node.last);
+      REQUIRE(double(node.weight) == Catch::Approx(weight).epsilon(1e-4));
+      REQUIRE(glm::distance(mean / weight, glm::dvec3(node.position)) <= 1e-4);
+      REQUIRE(glm::distance(normal / weight, glm::dvec3(node.normal)) <= 1e-4);
+      double variance = 0;
+      for (int place = node.first; place < node.last; ++place) {
+        const auto light = zonal::tree_light(lights.isotropic().record(tree.light_at(place)));
+        variance += double(tree.weight_of(light)) / weight * square(glm::dvec3(light.position) - mean / weight);
+      }
+      const double kept = double(node.covariance[0]) + double(node.covariance[3]) + double(node.covariance[5]);
+      REQUIRE(kept == Catch::Approx(variance).epsilon(1e-3).margin(1e-9));
+    }
+  }
+  CHECK(zonal::HvlTree<1>(zonal::HvlCache<1>()).size() == 0);
+}
+
+TEST_CASE("light cut: each draw gives the sum of all lights in the mean over seeds") {
+  const Scene scene(22, 3000);
+  Cut<3> cut(scene.tree.tree());
+  zonal::CutTolerance tolerance;
+  tolerance.relative = 0.2F;
+  cut.find(scene.packet, tolerance);
+  REQUIRE(cut.size() < 300);
+  for (const int count : {1, 5}) {
+    std::vector<zonal::HvlCache<3>> draws(static_cast<std::size_t>(count));
+    std::vector<glm::dvec3> sums(draws.size(), glm::dvec3(0)), squares(draws.size(), glm::dvec3(0));
+    constexpr int seeds = 600;
+    for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+      scene.tree.draw(cut, seed, draws);
+      for (std::size_t d = 0; d < draws.size(); ++d) {
+        const glm::dvec3 drawn = scene.gather(draws[d], 0);
+        sums[d] += drawn, squares[d] += drawn * drawn;
+      }
+    }
+    const glm::dvec3 full = scene.gather(scene.lights, 0);
+    for (std::size_t d = 0; d < draws.size(); ++d) {
+      const glm::dvec3 mean = sums[d] / double(seeds),
+                       spread = glm::sqrt((squares[d] / double(seeds) - mean * mean) / double(seeds));
+      for (int c = 0; c < 3; ++c) {
+        CAPTURE(count, d, c, mean[c], full[c], spread[c]);
+        CHECK(std::abs(mean[c] - full[c]) <= 4.5 * spread[c]);
+      }
+    }
+  }
+}
+
+TEST_CASE("light cut: the error is within the tolerance, and at 1 % within a factor of five of what is proved") {
+  const Scene scene(23, 20000);
+  Cut<3> cut(scene.tree.tree());
+  std::vector<glm::dvec3> full;
+  double power = 0;
+  for (std::size_t i = 0; i < scene.receivers.size(); ++i) {
+    full.push_back(scene.gather(scene.lights, i));
+    power += square(full.back());
+  }
+  int before = 0;
+  double error_before = 1;
+  for (const float relative : {0.3F, 0.1F, 0.03F, 0.01F}) {
+    zonal::CutTolerance tolerance;
+    tolerance.relative = relative;
+    cut.find(scene.packet, tolerance);
+    double error = 0;
+    constexpr int seeds = 40;
+    std::vector<zonal::HvlCache<3>> draws(1);
+    for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+      scene.tree.draw(cut, seed, draws);
+      for (std::size_t i = 0; i < full.size(); ++i) error += square(scene.gather(draws[0], i) - full[i]) / seeds;
+    }
+    const double measured = std::sqrt(error / power), proved = std::sqrt(cut.variance() * double(full.size()) / power);
+    CAPTURE(relative, cut.size(), measured, proved);
+    CHECK(measured <= double(relative));
+    CHECK(proved <= 1.1 * double(relative));  // the radiance is that of the clusters' means
+    CHECK(proved <= (relative < 0.02F ? 5 : 12) * measured);  // coarse clusters are bounded coarsely
+    CHECK(measured < error_before);
+    CHECK(cut.size() > before);
+    before = cut.size(), error_before = measured;
+  }
+}
+
+TEST_CASE("light cut: a tolerance of next to nothing takes every light, once") {
+  const Scene scene(24, 500);
+  Cut<3> cut(scene.tree.tree());
+  zonal::CutTolerance tolerance;
+  tolerance.relative = 1e-6F;
+  cut.find(scene.packet, tolerance);
+  CHECK(cut.size() >= 450);  // those that send nothing may stay together
+  std::vector<zonal::HvlCache<3>> draws(1);
+  scene.tree.draw(cut, 1, draws);
+  for (std::size_t i = 0; i < scene.receivers.size(); ++i) {
+    const glm::dvec3 full = scene.gather(scene.lights, i);
+    CHECK(glm::distance(scene.gather(draws[0], i), full) <= 1e-5 * glm::length(full));
+  }
+}
+
+TEST_CASE("light cut: is the same however often and in which order it was found, and the draws too") {
+  const Scene scene(25, 2000), other(26, 2000);
+  Cut<3> fresh(scene.tree.tree()), used(scene.tree.tree());
+  zonal::CutTolerance tolerance;
+  used.find(other.packet, tolerance);
+  used.find(scene.packet, tolerance);
+  fresh.find(scene.packet, tolerance);
+  std::vector<std::pair<int, float>> a, b;
+  fresh.draw(3, 7, [&](int, int place, float factor) { a.emplace_back(place, factor); });
+  used.draw(3, 7, [&](int, int place, float factor) { b.emplace_back(place, factor); });
+  CHECK(a == b);
+}
+
+TEST_CASE("light tree: a light replaced is drawn as the new one, and the bounds hold on") {
+  Random random(27);
+  Scene scene(27, 400);
+  zonal::LightTree<3> tree(scene.lights.size(),
+                           [&](int i) { return zonal::tree_light(scene.lights.isotropic().record(i)); });
+  std::vector<zonal::TreeLight<3>> lights;
+  for (int i = 0; i < tree.size(); ++i) lights.push_back(zonal::tree_light(scene.lights.isotropic().record(i)));
+  for (int moved = 0; moved < 30; ++moved) {
+    const int index = int(random() * 400);
+    auto& light = lights[std::size_t(index)];
+    light.position += 0.5F * random.direction();
+    light.normal = random.direction();
+    if (moved % 2 == 0) light.emission = light.emission * 2.0F;
+    tree.replace(index, light);
+  }
+  double before = 0;
+  for (int place = 0; place < tree.size(); ++place) {
+    const auto& light = lights[std::size_t(tree.light_at(place))];
+    REQUIRE(tree.weight_before(place) == Catch::Approx(before).epsilon(1e-12));
+    before += double(tree.weight_of(light));
+  }
+  for (const auto& node : tree.nodes()) {
+    glm::vec3 mean(0);
+    for (int place = node.first; place < node.last; ++place) {
+      const auto& light = lights[std::size_t(tree.light_at(place))];
+      mean += tree.weight_of(light) / node.weight * light.position;
+      for (int i = 0; i < 3; ++i) {
+        REQUIRE(std::abs(light.position[i] - node.position[i]) <= node.reach[i] * 1.00001F + 1e-6F);
+      }
+      REQUIRE(glm::distance(light.normal, node.normal) <= node.normal_reach * 1.00001F + 1e-6F);
+    }
+    REQUIRE(glm::distance(mean, node.position) <= 1e-4F);
+  }
+}
+
+TEST_CASE("receiver groups: a floor stays whole, a wall and an object before it do not") {
+  std::vector<zonal::GroupedReceiver> receivers;
+  const auto add = [&](const glm::vec3& position, const glm::vec3& normal) {
+    receivers.push_back({position, normal, int(receivers.size())});
+  };
+  for (int y = 0; y < 32; ++y) {
+    for (int x = 0; x < 32; ++x) {
+      const float depth = 200.0F / float(60 - y);  // as a floor is seen
+      add({depth * float(x - 16) * 0.01F, 0, depth}, {0, 1, 0});
+    }
+  }
+  const auto groups = [&] {
+    std::vector<int> counts;
+    std::vector<bool> seen(receivers.size(), false);
+    zonal::for_each_receiver_group(receivers.data(), int(receivers.size()),
+                                   [&](const zonal::GroupedReceiver* group, int count) {
+                                     counts.push_back(count);
+                                     for (int i = 0; i < count; ++i) {
+                                       REQUIRE(!seen[std::size_t(group[i].index)]);
+                                       seen[std::size_t(group[i].index)] = true;
+                                     }
+                                   });
+    REQUIRE(std::count(seen.begin(), seen.end(), true) == std::ptrdiff_t(receivers.size()));
+    return counts;
+  };
+  CHECK(groups() == std::vector<int>{1024});
+  for (int i = 0; i < 1024; ++i) {
+    if (i % 32 < 9)
+      receivers[std::size_t(i)] = {{0.1F * float(i % 32), 1 + 0.05F * float(i / 32), 1.5F}, {0, 0, -1}, i};
+  }
+  std::vector<int> counts = groups();
+  std::sort(counts.begin(), counts.end());
+  CHECK(counts == std::vector<int>{9 * 32, 23 * 32});
+}
+
+TEST_CASE("receiver box: what it leaves out sends nothing, and a light in the receivers' plane is left out") {
+  Random random(28);
+  int left_out = 0;
+  for (int trial = 0; trial < 3000; ++trial) {
+    zonal::ReceiverBox box;
+    std::vector<zonal::Receiver> receivers;
+    const glm::vec3 normal = random.direction();
+    for (int i = 0; i < 6; ++i) {
+      receivers.push_back(random_receiver(random));
+      receivers.back().position *= 0.3F;
+      receivers.back().normal = glm::normalize(normal + 0.1F * random.direction());
+      box.add(receivers.back().position, receivers.back().normal);
+    }
+    zonal::VirtualLight light = gather_test::random_light(random);
+    light.radius = random.uniform(0.01F, 1.0F);
+    if (zonal::may_shine_on(box, light.position, light.normal, light.radius, true)) continue;
+    ++left_out;
+    for (const auto& receiver : receivers) {
+      const auto parts =
+          parts_of<5, 3, rule>(zonal::HvlCache<3>({light}), receiver, reflected_by<5>(materials().plastic, receiver));
+      CAPTURE(trial);
+      REQUIRE(parts[0] == glm::dvec3(0));
+    }
+  }
+  CHECK(left_out > 800);
+}

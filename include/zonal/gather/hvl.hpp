@@ -120,6 +120,15 @@ ZONAL_INLINE inline HvlRecord<NE, T, AnyEmission> without_symmetry(const HvlReco
   return result;
 }
 
+/// A light that sends `factor` times as much.
+template <int NE, class T, class Emission>
+ZONAL_INLINE inline HvlRecord<NE, T, Emission> scaled(HvlRecord<NE, T, Emission> light, const T& factor) {
+  for (auto& channel : light.emission) {
+    for (T& coefficient : channel) coefficient = coefficient * factor;
+  }
+  return light;
+}
+
 /// The outgoing radiance that one light (or one packet of lights) causes, to radiance[3], RGB. `material` is F at the
 /// outgoing direction, RGB by degree and order: EvenSh, or Sh of an anisotropic material. A receiver inside the sphere
 /// sees a hemisphere; one at its very centre sees nothing, for there is no direction to it.
@@ -190,6 +199,14 @@ class HvlCache {
       }
     }
   }
+
+  /// Without lights; keeps its memory.
+  void clear() {
+    records_.clear();
+    anisotropic_.clear();
+  }
+  void append(const HvlRecord<NE, float>& light) { records_.append(light); }
+  void append(const HvlRecord<NE, float, AnyEmission>& light) { anisotropic_.append(light); }
 
   /// The lights that shine.
   int size() const { return records_.size() + anisotropic_.size(); }

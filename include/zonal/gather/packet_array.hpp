@@ -24,6 +24,12 @@ class PacketArray {
   int size() const { return size_; }
   int packet_count() const { return (size_ + Lanes::width - 1) / Lanes::width; }
 
+  /// Keeps its memory.
+  void clear() {
+    fields_.clear();
+    size_ = 0;
+  }
+
   void append(Record<float> record) {
     const int lane = size_ % block_lanes;
     if (lane == 0) fields_.resize(fields_.size() + block_size, 0.0F);
@@ -33,6 +39,17 @@ class PacketArray {
       target += block_lanes;
     });
     ++size_;
+  }
+
+  /// One record, for set-up.
+  Record<float> record(int index) const {
+    Record<float> record;
+    const float* source = fields_.data() + std::size_t(index / block_lanes) * block_size + index % block_lanes;
+    for_each_field(record, [&](float& field) {
+      field = *source;
+      source += block_lanes;
+    });
+    return record;
   }
 
   ZONAL_INLINE Record<Lanes> packet(int index) const {

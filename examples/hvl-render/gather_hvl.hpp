@@ -34,11 +34,11 @@ constexpr bool is_compiled([[maybe_unused]] zonal::Horizon horizon, int bands, i
   return contains(compiled_bands, bands) && contains(compiled_emission_bands, emission_bands);
 }
 
-/// use(N, NE) for the options' numbers of bands; not at all for numbers that are not compiled in.
+/// use(N, NE) for these numbers of bands; not at all for numbers that are not compiled in.
 template <zonal::Horizon H, class Use>
-void dispatch_hvl(const Options& options, const Use& use) {
-  zonal::dispatch_bands<1, compiled_bands.back()>(options.bands, [&](auto n) {
-    zonal::dispatch_bands<1, compiled_emission_bands.back()>(options.emission_bands, [&](auto ne) {
+void dispatch_hvl(int bands, int emission_bands, const Use& use) {
+  zonal::dispatch_bands<1, compiled_bands.back()>(bands, [&](auto n) {
+    zonal::dispatch_bands<1, compiled_emission_bands.back()>(emission_bands, [&](auto ne) {
       if constexpr (is_compiled(H, n, ne)) use(n, ne);
     });
   });
@@ -78,7 +78,8 @@ std::unique_ptr<Gatherer> make_hvl(const GatherInput& input) {
 template <zonal::Horizon H>
 std::unique_ptr<Gatherer> make_hvl(const GatherInput& input) {
   std::unique_ptr<Gatherer> gatherer;
-  dispatch_hvl<H>(input.options, [&](auto n, auto ne) { gatherer = make_hvl<n, ne, H>(input); });
+  dispatch_hvl<H>(input.options.bands, input.options.emission_bands,
+                  [&](auto n, auto ne) { gatherer = make_hvl<n, ne, H>(input); });
   return gatherer;
 }
 

@@ -2,11 +2,20 @@
 
 #include <cstddef>
 #include <memory>
+#include <vector>
+
+#include <zonal/basis/symmetry.hpp>
 
 #include "gatherer.hpp"
 #include "shared/primary_hits.hpp"
 
 namespace example::hvl_render {
+
+/// What the materials of a scene ask for.
+struct SceneNeeds {
+  std::vector<zonal::Symmetry> symmetry;  // of each as a receiver
+  int emission_bands = 1;                 // of all as lights
+};
 
 /// What a planned gather did, and how far it may be off. Sums over primary hits; radiance is RGB added up.
 struct PlanFigures {

@@ -25,8 +25,9 @@ namespace example::hvl_render {
 template <int N, int NE, zonal::Horizon H>
 class PlannedHvl final : public PlannedGatherer {
  public:
-  explicit PlannedHvl(const GatherInput& input)
+  PlannedHvl(const GatherInput& input, SceneNeeds needs)
       : input_(input),
+        needs_(std::move(needs)),
         lights_(lit(input.map)),
         tree_(lights_, [](int count, const auto& body) { tbb::parallel_for(0, count, body); }) {
     tolerance_.relative = static_cast<float>(input.options.tolerance);
@@ -210,6 +211,11 @@ class PlannedHvl final : public PlannedGatherer {
   glm::vec3 gather(const zonal::HvlCache<NE>& cache, const Hit& hit) const {
     const CentreRay ray{input_.caster, hit};
     const zonal::Visibility visible = input_.options.centre_visibility ? zonal::Visibility(ray) : zonal::Visibility();
+    if (needs_.symmetry[hit.material] == zonal::Symmetry::zonal) {
+      const zonal::Receiver receiver = receiver_at(hit);
+      return zonal::gather<N, NE, H>(cache, receiver, about_axis(coefficients_at<N>(input_.materials, hit, receiver)),
+                                     visible);
+    }
     return gather_at<N, NE, H>(input_.materials, cache, receiver_at(hit), hit, visible);
   }
 
@@ -226,6 +232,7 @@ class PlannedHvl final : public PlannedGatherer {
   }
 
   GatherInput input_;
+  SceneNeeds needs_;
   zonal::CutTolerance tolerance_;
   zonal::HvlCache<NE> lights_;
   zonal::HvlTree<NE> tree_;
@@ -235,9 +242,10 @@ class PlannedHvl final : public PlannedGatherer {
 
 /// Null for numbers of bands that are not compiled in.
 template <zonal::Horizon H>
-std::unique_ptr<PlannedGatherer> make_planned_hvl(const GatherInput& input) {
+std::unique_ptr<PlannedGatherer> make_planned_hvl(const GatherInput& input, const SceneNeeds& needs) {
   std::unique_ptr<PlannedGatherer> gatherer;
-  dispatch_hvl<H>(input.options, [&](auto n, auto ne) { gatherer = std::make_unique<PlannedHvl<n, ne, H>>(input); });
+  dispatch_hvl<H>(input.options.bands, needs.emission_bands,
+                  [&](auto n, auto ne) { gatherer = std::make_unique<PlannedHvl<n, ne, H>>(input, needs); });
   return gatherer;
 }
 

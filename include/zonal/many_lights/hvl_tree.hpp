@@ -20,7 +20,7 @@ TreeLight<NE> tree_light(const HvlRecord<NE, float, Emission>& record) {
   light.normal = vector(record.normal);
   light.radius = record.radius;
   for (int l = 0; l < NE; ++l) {
-    for (int m = Emission::even_in_phi ? l % 2 : -l; m <= l; m += 2) {
+    for (int m = has_order(Emission::symmetry, -1) ? -l : l % 2; m <= l; m += 2) {
       const int i = Emission::index(l, m);
       light.emission(l, m) = glm::vec3(record.emission[0][i], record.emission[1][i], record.emission[2][i]) *
                              (record.radius * record.radius);

@@ -23,6 +23,7 @@
 #pragma once
 
 #include <algorithm>
+#include <type_traits>
 #include <vector>
 
 #include "../basis/evaluate.hpp"
@@ -68,6 +69,28 @@ ZONAL_INLINE inline void evaluate_of(const T& x, const Y& y, const T& z, const S
     evaluate_even<N>(x, z, sink);
   } else {
     evaluate<N>(x, y(), z, sink);
+  }
+}
+
+template <template <class> class Cap, class T>
+ZONAL_INLINE inline Cap<T> cap_of(const LightDirection<T>& light, const T& radius) {
+  if constexpr (std::is_same_v<Cap<T>, NarrowCap<T>>) {
+    return NarrowCap<T>::from_sphere(light.inverse, radius);
+  } else {
+    return SphericalCap<T>::from_sphere(light.distance, radius);
+  }
+}
+
+/// Coefficients are colours, or numbers where the material has one colour, which its caller multiplies by.
+template <class Coefficients>
+inline constexpr int channels_of = std::is_arithmetic_v<std::decay_t<decltype(Coefficients::values[0])>> ? 1 : 3;
+
+template <class F>
+ZONAL_INLINE inline const auto& channel_of(const F& f, [[maybe_unused]] int c) {
+  if constexpr (std::is_arithmetic_v<F>) {
+    return f;
+  } else {
+    return f[c];
   }
 }
 
@@ -138,21 +161,65 @@ ZONAL_INLINE inline HvlRecord<NE, T, Emission> scaled(HvlRecord<NE, T, Emission>
   return light;
 }
 
+namespace detail {
+
+/// What a receiver's material makes of a cap of light: sum_l A_l / pi sum_m F_l^m Y_l^m, to reflected[channels].
+template <int N, class Material, class T, class Cap>
+ZONAL_INLINE inline void reflect(const Material& material, const ReceiverFrame<T>& receiver, const T (&direction)[3],
+                                 const T& cosine, const Cap& cap, T (&reflected)[channels_of<Material>]) {
+  constexpr Symmetry symmetry = symmetry_of<Material>;
+  constexpr int channels = channels_of<Material>;
+  const auto for_each_value = [&](const auto& sink) ZONAL_INLINE {
+    evaluate_of<N, symmetry>(
+        dot3(direction, receiver.tangent),
+        [&]() ZONAL_INLINE { return across(direction, receiver.normal, receiver.tangent); }, cosine, sink);
+  };
+  const auto f = [&](int l, int m, int c) ZONAL_INLINE {
+    return T(channel_of(material.values[coefficient_index(symmetry, l, m)], c));
+  };
+  for (T& sum : reflected) sum = T(0);
+  if constexpr (symmetry == Symmetry::zonal) {
+    T value[static_cast<std::size_t>(N)];
+    for_each_value([&](auto l, auto, const T& y) ZONAL_INLINE { value[l] = y; });
+    hemisphere_cap_sums<N>(cap, [&](auto l, const T& sum) ZONAL_INLINE {
+      const T weight = sum * value[l];
+      for (int c = 0; c < channels; ++c) reflected[c] = reflected[c] + weight * f(l, 0, c);
+    });
+  } else {  // one sum per degree and channel, then the cap's coefficient
+    T by_degree[channels][static_cast<std::size_t>(N)] = {};
+    for (auto& channel : by_degree) {
+      for (T& sum : channel) sum = T(0);
+    }
+    for_each_value([&](auto l, auto m, const T& y) ZONAL_INLINE {
+      for (int c = 0; c < channels; ++c) by_degree[c][l] = by_degree[c][l] + f(l, m, c) * y;
+    });
+    hemisphere_cap_sums<N>(cap, [&](auto l, const T& sum) ZONAL_INLINE {
+      for (int c = 0; c < channels; ++c) reflected[c] = reflected[c] + sum * by_degree[c][l];
+    });
+  }
+}
+
+}  // namespace detail
+
 /// The outgoing radiance that one light (or one packet of lights) causes, to radiance[3], RGB. `material` is F at the
 /// outgoing direction, RGB by degree and order: EvenSh, or Sh of an anisotropic material, or Zh, by degree, of one that
-/// is the same all about the normal. A receiver inside the sphere sees a hemisphere; one at its very centre sees
-/// nothing, for there is no direction to it.
-template <int N, int NE, Horizon method, class T, class Emission, class Material>
+/// is the same all about the normal; or numbers instead of colours, of a material of one colour that the caller
+/// multiplies by. A receiver inside the sphere sees a hemisphere; one at its very centre sees nothing, for there is no
+/// direction to it.
+///
+/// Where all lights are known to look no larger than a NarrowCap and to stand above the horizon, its kernel, without the
+/// horizon's factor, takes half the time.
+template <int N, int NE, Horizon method, template <class> class Cap = SphericalCap, class T, class Emission,
+          class Material>
 ZONAL_INLINE inline void hvl_radiance(const HvlRecord<NE, T, Emission>& light, const ReceiverFrame<T>& receiver,
                                       const Material& material, T (&radiance)[3]) {
   static_assert(Material::bands == N, "the material's coefficients are those of N bands");
-  constexpr Symmetry symmetry = symmetry_of<Material>;
   // Where the light stands, and how large it looks.
   const LightDirection<T> to_light = look_at(light, receiver);
   const auto& direction = to_light.direction;
   const T cos_receiver = detail::dot3(direction, receiver.normal);
   const T cos_light = maximum(T(0), -detail::dot3(direction, light.normal));
-  const auto cap = SphericalCap<T>::from_sphere(to_light.distance, light.radius);
+  const auto cap = detail::cap_of<Cap>(to_light, light.radius);
 
   // What it sends towards the receiver; a band-limited emission that rings below zero sends nothing.
   T sent[3] = {T(0), T(0), T(0)};
@@ -167,23 +234,11 @@ ZONAL_INLINE inline void hvl_radiance(const HvlRecord<NE, T, Emission>& light, c
       });
   const T geometry = cos_light * horizon<method>(cap, cos_receiver);
 
-  // What the receiver's material makes of it: one sum per degree and channel, then the cap's coefficient.
-  T by_degree[3][static_cast<std::size_t>(N)] = {};
-  for (auto& channel : by_degree) {
-    for (T& sum : channel) sum = T(0);
+  T reflected[detail::channels_of<Material>];
+  detail::reflect<N>(material, receiver, direction, cos_receiver, cap, reflected);
+  for (int c = 0; c < 3; ++c) {
+    radiance[c] = maximum(sent[c], T(0)) * geometry * reflected[detail::channels_of<Material> == 3 ? c : 0];
   }
-  detail::evaluate_of<N, symmetry>(
-      detail::dot3(direction, receiver.tangent),
-      [&]() ZONAL_INLINE { return detail::across(direction, receiver.normal, receiver.tangent); }, cos_receiver,
-      [&](auto l, auto m, const T& y) ZONAL_INLINE {
-        const auto& f = material.values[coefficient_index(symmetry, l, m)];
-        for (int c = 0; c < 3; ++c) by_degree[c][l] = by_degree[c][l] + T(f[c]) * y;
-      });
-  T reflected[3] = {T(0), T(0), T(0)};
-  detail::hemisphere_cap_sums<N>(cap, [&](auto l, const T& sum) ZONAL_INLINE {  // A_l / pi
-    for (int c = 0; c < 3; ++c) reflected[c] = reflected[c] + sum * by_degree[c][l];
-  });
-  for (int c = 0; c < 3; ++c) radiance[c] = maximum(sent[c], T(0)) * geometry * reflected[c];
 }
 
 /// The virtual lights in packets. Lights without power or material are left out: they contribute exactly nothing. One
@@ -290,11 +345,11 @@ namespace detail {
 /// The sum over some lights of a receiver whose coefficients F, in the frame given, are known. Only few kinds of lights
 /// and coefficients meet, EvenSh with those of isotropic materials and Sh with WithoutSymmetry: where one side has no
 /// symmetry, the other is taken without it too, for a kernel takes long to compile. That of Zh does not.
-template <int N, int NE, Horizon method, class Lights, class Material>
+template <int N, int NE, Horizon method, template <class> class Cap = SphericalCap, class Lights, class Material>
 glm::vec3 gather_from(const Lights& lights, const ReceiverFrame<typename Lights::Lanes>& frame,
                       const Material& coefficients, const Visibility& visible) {
   return sum_packets(lights, visible, [&](const auto& light, auto& rgb) ZONAL_INLINE {
-    hvl_radiance<N, NE, method>(light, frame, coefficients, rgb);
+    hvl_radiance<N, NE, method, Cap>(light, frame, coefficients, rgb);
   });
 }
 
@@ -324,6 +379,12 @@ glm::vec3 gather(const HvlCache<NE>& cache, const Receiver& receiver, const Even
 /// The same of a material that is the same all about the normal: F_l^0 alone, about_axis(F).
 template <int N, int NE, Horizon method = Horizon::smoothstep>
 glm::vec3 gather(const HvlCache<NE>& cache, const Receiver& receiver, const Zh<N, glm::vec3>& coefficients,
+                 const Visibility& visible = {}) {
+  return detail::gather_from_all<N, NE, method>(cache, receiver, coefficients, visible);
+}
+/// The same of such a material in one colour, by which the result is to be multiplied.
+template <int N, int NE, Horizon method = Horizon::smoothstep>
+glm::vec3 gather(const HvlCache<NE>& cache, const Receiver& receiver, const Zh<N, float>& coefficients,
                  const Visibility& visible = {}) {
   return detail::gather_from_all<N, NE, method>(cache, receiver, coefficients, visible);
 }

@@ -32,7 +32,7 @@ struct ReceiverFrame {
 template <class T>
 struct LightDirection {
   T direction[3];  // unit, from the receiver to the light
-  T distance;
+  T distance, inverse;
 };
 
 template <class Record, class T>
@@ -41,7 +41,7 @@ ZONAL_INLINE inline LightDirection<T> look_at(const Record& light, const Receive
                          light.position[2] - receiver.position[2]};
   const T distance = sqrt(maximum(detail::dot3(to_light, to_light), T(1e-30L)));
   const T inverse = T(1) / distance;
-  return {{to_light[0] * inverse, to_light[1] * inverse, to_light[2] * inverse}, distance};
+  return {{to_light[0] * inverse, to_light[1] * inverse, to_light[2] * inverse}, distance, inverse};
 }
 
 /// Is a light, at this position and with this normal, seen from the receiver? It is asked for each light that would

@@ -20,6 +20,7 @@
 #include <glm/geometric.hpp>
 
 #include "../lobe/gaussian_product.hpp"
+#include "../material/brdf.hpp"
 #include "virtual_light.hpp"
 
 namespace zonal {

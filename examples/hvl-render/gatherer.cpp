@@ -7,8 +7,8 @@
 #include <zonal/gather/vsl.hpp>
 
 #include "gather_hvl.hpp"
-#include "shared/random.hpp"
 #include "shared/input_error.hpp"
+#include "shared/random.hpp"
 
 namespace example::hvl_render {
 
@@ -41,15 +41,16 @@ std::unique_ptr<Gatherer> make_vsl(const GatherInput& input) {
   return make_cached(input, zonal::LightCache(lit(input.map)), gather);
 }
 
+template <zonal::Vsgl formulas>
 std::unique_ptr<Gatherer> make_vsgl(const GatherInput& input) {
   const auto gather = [&scene = input.scene](const auto& cache, const Receiver& receiver, const Hit& hit, std::size_t,
                                              const Visibility& visible) {
-    return gather_vsgl(cache, receiver, brdf_at(scene, hit), visible);
+    return zonal::gather_vsgl<formulas>(cache, receiver, brdf_at(scene, hit), visible);
   };
   std::vector<zonal::GaussianLight> lights;
   for (const auto* map : {&input.map.lights, &input.map.bodies}) {
     if (map->empty()) continue;
-    const auto part = zonal::make_gaussian_lights(map->data(), input.map.side, block_side(input.options));
+    const auto part = zonal::make_gaussian_lights<formulas>(map->data(), input.map.side, block_side(input.options));
     lights.insert(lights.end(), part.begin(), part.end());
   }
   return make_cached(input, zonal::GaussianCache(lights), gather);
@@ -68,7 +69,8 @@ std::unique_ptr<Gatherer> make(const GatherInput& input) {
   switch (input.options.method) {
     case Method::vpl: return make_vpl(input);
     case Method::vsl: return make_vsl(input);
-    case Method::vsgl: return make_vsgl(input);
+    case Method::vsgl: return make_vsgl<zonal::Vsgl::of_2015>(input);
+    case Method::vsgl_2024: return make_vsgl<zonal::Vsgl::of_2024>(input);
     case Method::hvl: return make_hvl(input);
     case Method::hvl_zonal: return make_hvl_zonal(input);
     case Method::path: break;

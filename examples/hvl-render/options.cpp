@@ -107,7 +107,7 @@ void add_virtual_light_options(CLI::App& app, Options& options) {
   add_number(app, "--vsl-samples", options.vsl_samples, 1, 1024, "1...1024", "vsl: samples of each light's sphere")
       ->group(group);
   add_number(app, "--vsgl-texels", options.vsgl_texels, 1, 1024, "1...1024",
-             "vsgl: side of the block of the map that one light stands for; --lights are the blocks")
+             "vsgl, vsgl-2024: side of the block of the map that one light stands for; --lights are the blocks")
       ->group(group);
 }
 
@@ -153,9 +153,9 @@ void check_methods(const CLI::App& app, const Options& options) {
   const std::vector<std::pair<const char*, Methods>> users{
       {"--vpl-clamp", {Method::vpl}},
       {"--vsl-samples", {Method::vsl}},
-      {"--vsgl-texels", {Method::vsgl}},
+      {"--vsgl-texels", {Method::vsgl, Method::vsgl_2024}},
       {"--bands", {Method::hvl, Method::hvl_zonal}},
-      {"--time-budget", {Method::vpl, Method::vsl, Method::vsgl, Method::hvl, Method::hvl_zonal}},
+      {"--time-budget", {Method::vpl, Method::vsl, Method::vsgl, Method::vsgl_2024, Method::hvl, Method::hvl_zonal}},
       {"--material-cache", hvl},
       {"--emission-bands", hvl},
       {"--horizon", hvl},

@@ -13,7 +13,7 @@
 
 namespace example::hvl_render {
 
-enum class Method { vpl, vsl, vsgl, hvl, hvl_zonal, path };
+enum class Method { vpl, vsl, vsgl, vsgl_2024, hvl, hvl_zonal, path };
 enum class RadiusRule { neighbours, field_of_view, fixed };  // r1, r2, metres
 enum class HorizonRule { none, smoothstep, exact };
 
@@ -55,6 +55,7 @@ struct Options : CommonOptions {
 
   std::string reference;
 
+  bool blocks() const { return method == Method::vsgl || method == Method::vsgl_2024; }  // of the map, a light each
   bool needs_lights() const { return method != Method::path; }
   bool needs_paths() const { return comparing() || method == Method::path; }
 };

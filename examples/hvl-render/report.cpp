@@ -39,8 +39,7 @@ Column lights_column(const Report& report) {
   Column column;
   const Options& options = report.options;
   column.method = name_of(method_names, options.method);
-  column.samples =
-      std::to_string(report.counts.virtual_lights) + (options.method == Method::vsgl ? " texels" : " lights");
+  column.samples = std::to_string(report.counts.virtual_lights) + (options.blocks() ? " texels" : " lights");
   if (options.method == Method::vsl) column.samples += ", " + std::to_string(options.vsl_samples) + " samples";
   if (options.method == Method::hvl) {
     column.bands = std::to_string(options.bands) + ", emission " + std::to_string(options.emission_bands);
@@ -126,8 +125,7 @@ std::string table(const Report& report) {
   const auto asked = static_cast<std::size_t>(report.options.lights);
   if (report.options.time_budget) {
     text += budget_text(report);
-  } else if (report.options.needs_lights() && report.options.method != Method::vsgl &&
-             report.counts.map_lights != asked) {
+  } else if (report.options.needs_lights() && !report.options.blocks() && report.counts.map_lights != asked) {
     text += format("%zu lights were asked for: the map has %zu, the next square.\n", asked, report.counts.map_lights);
   }
   if (report.options.needs_lights() && report.counts.virtual_lights != report.counts.map_lights) {

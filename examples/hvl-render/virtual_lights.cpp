@@ -85,7 +85,7 @@ void set_radii(std::vector<zonal::VirtualLight>& map, int side, const Spotlight&
 
 }  // namespace
 
-int block_side(const Options& options) { return options.method == Method::vsgl ? options.vsgl_texels : 1; }
+int block_side(const Options& options) { return options.blocks() ? options.vsgl_texels : 1; }
 
 int map_side(const Options& options) {
   return static_cast<int>(std::ceil(std::sqrt(static_cast<double>(options.lights)))) * block_side(options);

@@ -156,6 +156,7 @@ void check_grid(const char* what, const Light& light, const Add& add) {
 
 // In a white furnace a white wall reflects what it receives, by every gather.
 void check_gathers() {
+  using zonal::Vsgl;
   const zonal::Brdf white{{zonal::LambertBrdf{glm::vec3(1)}}};
   const zonal::MaterialTable table(zonal::project_material(white, 3));
   const zonal::ZonalTable zonal_table(zonal::project_zonal(white, 3));
@@ -163,7 +164,8 @@ void check_gathers() {
   const auto lights = gather_test::furnace(side * side, white, table);
   const zonal::LightCache cache(lights);
   const zonal::HvlCache<1> harmonics(lights);
-  const zonal::GaussianCache gaussians(zonal::make_gaussian_lights(lights.data(), side, 1));
+  const zonal::GaussianCache gaussians(zonal::make_gaussian_lights(lights.data(), side, 1)),
+      gaussians_2024(zonal::make_gaussian_lights<Vsgl::of_2024>(lights.data(), side, 1));
   std::mt19937 engine(6);
   const auto uniform = [&engine] { return static_cast<float>(engine() >> 8) * 0x1p-24F; };
   const auto energy = [&](const char* what, double tolerance, const auto& gather) {
@@ -173,6 +175,8 @@ void check_gathers() {
   energy("vpl", 0.001, [&](const Receiver& r) { return zonal::gather_vpl(cache, r, white); });
   energy("vsl", 0.1, [&](const Receiver& r) { return zonal::gather_vsl(cache, r, white, 16, uniform); });
   energy("vsgl", 0.25, [&](const Receiver& r) { return zonal::gather_vsgl(gaussians, r, white); });
+  energy("vsgl of 2024", 0.06,
+         [&](const Receiver& r) { return zonal::gather_vsgl<Vsgl::of_2024>(gaussians_2024, r, white); });
   energy("hvl", 0.1, [&](const Receiver& r) { return zonal::gather<3>(harmonics, r, table); });
   energy("hvl-zonal", 0.1, [&](const Receiver& r) { return zonal::gather_hvl_zonal<3>(cache, r, zonal_table); });
 }

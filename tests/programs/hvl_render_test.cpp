@@ -213,7 +213,7 @@ int lights_within(double seconds, Method method) {
 }  // namespace
 
 TEST_CASE("time budget: more time is more lights, and none is one") {
-  for (const Method method : {Method::vpl, Method::hvl_zonal, Method::vsgl}) {
+  for (const Method method : {Method::vpl, Method::hvl_zonal, Method::vsgl, Method::vsgl_2024}) {
     const int none = lights_within(1e-6, method), some = lights_within(0.1, method), many = lights_within(4.0, method);
     CAPTURE(static_cast<int>(method), some, many);
     CHECK(none == 1);
@@ -226,7 +226,8 @@ TEST_CASE("every method: a finite picture that is not black, with visibility no 
   const Scene scene = box_scene();
   const RayCaster caster(scene);
   const std::vector<Hit> hits = some_hits(scene, caster);
-  for (const Method method : {Method::vpl, Method::vsl, Method::vsgl, Method::hvl, Method::hvl_zonal}) {
+  for (const Method method :
+       {Method::vpl, Method::vsl, Method::vsgl, Method::vsgl_2024, Method::hvl, Method::hvl_zonal}) {
     Options options;
     options.method = method;
     options.lights = 400;
@@ -293,7 +294,8 @@ TEST_CASE("textures: one of a single colour is the material of that colour, to p
     CHECK(hits[i].material == plain_hits[i].material);
     check(paths.indirect_radiance(hits[i], i), plain_paths.indirect_radiance(plain_hits[i], i), 1e-5f);
   }
-  for (const Method method : {Method::vpl, Method::vsl, Method::vsgl, Method::hvl, Method::hvl_zonal}) {
+  for (const Method method :
+       {Method::vpl, Method::vsl, Method::vsgl, Method::vsgl_2024, Method::hvl, Method::hvl_zonal}) {
     Options options;
     options.method = method;
     options.lights = 100;
@@ -497,7 +499,7 @@ TEST_CASE("materials: an anisotropic file is gathered in the surface's own frame
       caster.closest(scene.camera.position, glm::normalize(scene.camera.target - scene.camera.position));
   REQUIRE(hit);
   CHECK(std::abs(hit->tangent.y) <= 1e-6f);
-  for (const Method method : {Method::hvl, Method::vpl, Method::vsl, Method::vsgl}) {
+  for (const Method method : {Method::hvl, Method::vpl, Method::vsl, Method::vsgl, Method::vsgl_2024}) {
     options.method = method;
     const MaterialTables own = method == Method::hvl ? tables : project_materials(scene.materials, options);
     const VirtualLightMap map = shoot_virtual_lights(scene, caster, own, options);

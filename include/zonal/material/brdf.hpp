@@ -18,6 +18,7 @@
 
 #include "custom.hpp"
 #include "ggx.hpp"
+#include "ggx_gaussian.hpp"
 #include "lambert.hpp"
 #include "measured.hpp"
 #include "phong.hpp"
@@ -58,6 +59,15 @@ inline glm::vec3 glossy_albedo(const BrdfLobe& lobe, float cos_outgoing) {
 }
 inline GlossyLobe glossy_lobe(const BrdfLobe& lobe, float cos_outgoing) {
   return std::visit([&](const auto& model) { return glossy_lobe(model, cos_outgoing); }, lobe);
+}
+inline GlossyGaussian glossy_gaussian(const BrdfLobe& lobe, const glm::vec3& wo) {
+  return std::visit([&](const auto& model) { return glossy_gaussian(model, wo); }, lobe);
+}
+template <class T>
+ZONAL_INLINE inline glm::vec<3, T> gaussian_reflection(const BrdfLobe& lobe, const glm::vec<3, T>& axis,
+                                                       const T& sharpness, const glm::vec3& wo) {
+  return std::visit([&](const auto& model) ZONAL_INLINE { return gaussian_reflection(model, axis, sharpness, wo); },
+                    lobe);
 }
 /// A lobe that looks nearly the same from everywhere: Lambert's, and what another lobe leaves.
 inline bool is_diffuse(const BrdfLobe& lobe) {

@@ -24,6 +24,8 @@ struct LobeFunctions {
   glm::vec3 (*glossy_albedo)(const void*, float cos_outgoing);
   GlossyLobe (*glossy_lobe)(const void*, float cos_outgoing);
   glm::vec3 (*glossy_height)(const void*, const glm::vec3& wi, const glm::vec3& wo);
+  GlossyGaussian (*glossy_gaussian)(const void*, const glm::vec3& wo);
+  glm::vec3 (*gaussian_reflection)(const void*, const glm::vec3& axis, float sharpness, const glm::vec3& wo);
   bool (*is_diffuse)(const void*);
   bool (*is_isotropic)(const void*);
 };
@@ -44,6 +46,10 @@ inline constexpr LobeFunctions lobe_functions{
     [](const void* m, float cos_outgoing) { return glossy_albedo(model_at<M>(m), cos_outgoing); },
     [](const void* m, float cos_outgoing) { return glossy_lobe(model_at<M>(m), cos_outgoing); },
     [](const void* m, const glm::vec3& wi, const glm::vec3& wo) { return glossy_height(model_at<M>(m), wi, wo); },
+    [](const void* m, const glm::vec3& wo) { return glossy_gaussian(model_at<M>(m), wo); },
+    [](const void* m, const glm::vec3& axis, float sharpness, const glm::vec3& wo) {
+      return gaussian_reflection(model_at<M>(m), axis, sharpness, wo);
+    },
     [](const void* m) { return is_diffuse(model_at<M>(m)); },
     [](const void* m) { return is_isotropic(model_at<M>(m)); }};
 
@@ -102,6 +108,21 @@ glm::vec<3, T> glossy_height(const CustomBrdf& brdf, const glm::vec<3, T>& wi, c
   } else {
     const auto height = [&](const auto& i, const auto&) { return glossy_height(brdf, i, wo); };
     return detail::by_lanes(wi, wi, height);
+  }
+}
+inline GlossyGaussian glossy_gaussian(const CustomBrdf& brdf, const glm::vec3& wo) {
+  return brdf.functions->glossy_gaussian(brdf.model.get(), wo);
+}
+template <class T>
+glm::vec<3, T> gaussian_reflection(const CustomBrdf& brdf, const glm::vec<3, T>& axis, const T& sharpness,
+                                   const glm::vec3& wo) {
+  if constexpr (is_builtin_scalar_v<T>) {
+    return glm::vec<3, T>(brdf.functions->gaussian_reflection(brdf.model.get(), glm::vec3(axis), float(sharpness), wo));
+  } else {
+    const auto reflection = [&](const auto& lane_axis, const auto& lane_sharpness) {
+      return gaussian_reflection(brdf, lane_axis, lane_sharpness.x, wo);
+    };
+    return detail::by_lanes(axis, glm::vec<3, T>(sharpness), reflection);
   }
 }
 inline bool is_diffuse(const CustomBrdf& brdf) { return brdf.functions->is_diffuse(brdf.model.get()); }

@@ -16,6 +16,7 @@
 #include "brdf_projection.hpp"
 #include "even_part.hpp"
 #include "ggx.hpp"
+#include "ggx_gaussian.hpp"
 #include "lambert.hpp"
 
 namespace zonal {
@@ -91,6 +92,19 @@ inline GlossyLobe glossy_lobe(const MeasuredBrdf& brdf, float cos_outgoing) {
 template <class T>
 ZONAL_INLINE inline glm::vec<3, T> glossy_height(const MeasuredBrdf& brdf, const glm::vec<3, T>&, const glm::vec3& wo) {
   return glm::vec<3, T>(brdf.specular_albedo * (0.5F * glossy_lobe(brdf, wo.z).sharpness() / float(kPi)));
+}
+
+inline GlossyGaussian glossy_gaussian(const MeasuredBrdf& brdf, const glm::vec3& wo) {
+  return detail::ggx_gaussian(detail::ggx_alpha(brdf.roughness), wo);
+}
+
+/// The share of a GGX lobe's reflection, for the lobe beside a measured material reflects its albedo.
+template <class T>
+ZONAL_INLINE inline glm::vec<3, T> gaussian_reflection(const MeasuredBrdf& brdf, const glm::vec<3, T>& axis,
+                                                       const T& sharpness, const glm::vec3& wo) {
+  const float alpha = detail::ggx_alpha(brdf.roughness);
+  const float whole = detail::ggx_reflection(alpha, glm::vec3(0.0F, 0.0F, 1.0F), 0.0F, wo).amount;
+  return glm::vec<3, T>(brdf.specular_albedo / whole) * detail::ggx_reflection(alpha, axis, sharpness, wo).amount;
 }
 
 namespace detail {

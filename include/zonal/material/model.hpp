@@ -17,6 +17,8 @@
 //                                from everywhere, for VSGL        directions
 //   glossy_albedo, glossy_lobe,  of the part about the mirror     none
 //   glossy_height                direction, for VSGL
+//   glossy_gaussian,             of the same part, for VSGL by    none
+//   gaussian_reflection          the formulas of 2024
 //   is_diffuse(m)                is there nothing but the former? no
 //   is_isotropic(m)              is f a function of the difference of azimuths alone, and even in it? yes
 //
@@ -80,6 +82,12 @@ struct GlossyLobe {
   float sharpness() const { return 2.0F * std::sqrt(in_plane * across); }
 };
 
+/// A glossy lobe as a spherical Gaussian exp(sharpness (cos - 1)) about the axis.
+struct GlossyGaussian {
+  glm::vec3 axis;  // unit
+  float sharpness;
+};
+
 // ---- Defaults -------------------------------------------------------------------------------------------------------
 
 /// About the albedo seen from wo, channels averaged. It is positive wherever the lobe is, which is all that correctness
@@ -131,6 +139,19 @@ GlossyLobe glossy_lobe(const M&, float) {
 /// The height of the glossy Gaussian, cosine included, RGB, where the light comes from wi.
 template <class M, class T>
 ZONAL_INLINE inline glm::vec<3, T> glossy_height(const M&, const glm::vec<3, T>&, const glm::vec3&) {
+  return glm::vec<3, T>(T(0));
+}
+
+/// The Gaussian that the glossy part is about, seen from wo.
+template <class M>
+GlossyGaussian glossy_gaussian(const M&, const glm::vec3&) {
+  return {{0.0F, 0.0F, 1.0F}, 0.0F};
+}
+
+/// What the glossy part reflects towards wo, RGB, of light exp(sharpness (cos - 1)) about `axis`: the integral of f cos
+/// times it. wo has y = 0 and z > 0; T is float, double, or a packet.
+template <class M, class T>
+ZONAL_INLINE inline glm::vec<3, T> gaussian_reflection(const M&, const glm::vec<3, T>&, const T&, const glm::vec3&) {
   return glm::vec<3, T>(T(0));
 }
 

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "../lobe/gaussian_horizon.hpp"
+#include "../lobe/gaussian_product.hpp"
 #include "../scalar/vector3.hpp"
 #include "model.hpp"
 
@@ -79,6 +81,22 @@ template <class T>
 ZONAL_INLINE inline glm::vec<3, T> glossy_height(const PhongBrdf& brdf, const glm::vec<3, T>& wi, const glm::vec3&) {
   const float normalisation = (brdf.exponent + 2.0F) / (2.0F * float(kPi));
   return glm::vec<3, T>(brdf.specular_albedo * normalisation) * maximum(wi.z, T(0));
+}
+
+/// cos^n about as the Gaussian of the same integral.
+inline GlossyGaussian glossy_gaussian(const PhongBrdf& brdf, const glm::vec3& wo) {
+  return {{-wo.x, -wo.y, wo.z}, brdf.exponent + 1.0F};
+}
+
+/// Greatest error, of the greatest reflection: 0.007 for exponents from 60, 0.065 from 5.
+template <class T>
+ZONAL_INLINE inline glm::vec<3, T> gaussian_reflection(const PhongBrdf& brdf, const glm::vec<3, T>& axis,
+                                                       const T& sharpness, const glm::vec3& wo) {
+  const auto both =
+      detail::product({T(-wo.x), T(-wo.y), T(wo.z)}, T(brdf.exponent + 1.0F), {axis.x, axis.y, axis.z}, sharpness);
+  const T integral = detail::gaussian_integral(both.sharpness) *
+                     detail::gaussian_above_horizon(both.axis[2], both.sharpness).cosine * exp(both.exponent);
+  return glm::vec<3, T>(brdf.specular_albedo * ((brdf.exponent + 2.0F) / (2.0F * float(kPi)))) * integral;
 }
 
 }  // namespace ZONAL_TARGET

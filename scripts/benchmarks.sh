@@ -61,6 +61,6 @@ for bands in 5 7 9; do
 done
 python3 "$print_tables" table_5 "$folder"
 
-zonal_say "compiling each function" >&2
+zonal_say "compiling a unit of each room" >&2
 printf '\n'
-"$zonal_root/scripts/compile_times.sh" 5 9 21
+python3 "$zonal_root/bench/compile/table.py"

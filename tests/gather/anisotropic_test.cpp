@@ -175,3 +175,17 @@ TEST_CASE("anisotropic: an isotropic material does not notice, at the receiver a
     CHECK(relative(zonal::gather<5, 3>(cache, above, table), zonal::gather<5, 3>(cache, above, plastic.table)) < 2e-5);
   }
 }
+
+TEST_CASE("anisotropic: a receiver that is the same about its normal takes light of any material") {
+  Random random(85);
+  for (int trial = 0; trial < 5; ++trial) {
+    std::vector<VirtualLight> lights;
+    for (int i = 0; i < 19; ++i) lights.push_back(i % 3 == 0 ? anisotropic_light(random) : random_light(random));
+    const zonal::HvlCache<3> cache(lights);
+    const zonal::Receiver receiver = random_receiver(random);
+    const auto lambert = materials().red.table.with_cosine<5>(1);
+    CAPTURE(trial);
+    CHECK(relative(zonal::gather<5, 3>(cache, receiver, zonal::about_axis(lambert)),
+                   zonal::gather<5, 3>(cache, receiver, lambert)) < 2e-6);
+  }
+}

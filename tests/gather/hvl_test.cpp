@@ -121,6 +121,28 @@ const Surface& receiver_on_the_floor() {
   return receiver;
 }
 
+/// Whether two colours differ by no more than that part of the second's sum.
+bool is_near(const glm::vec3& got, const glm::vec3& expected, float part) {
+  const glm::vec3 difference = glm::abs(got - expected);
+  return std::max({difference.x, difference.y, difference.z}) <= part * (expected.x + expected.y + expected.z);
+}
+
+template <int N, int NE, Horizon method>
+void check_zonal(const zonal::MaterialTable& lambert) {
+  Random random(15);
+  for (int trial = 0; trial < 20; ++trial) {
+    std::vector<VirtualLight> lights = random_lights(random, 1 + trial);
+    const Surface receiver = random_receiver(random);
+    const auto coefficients = lambert.with_cosine<N>(glm::dot(receiver.normal, receiver.outgoing));
+    const auto zonal = zonal::about_axis(coefficients);
+    const auto at = [&](const auto& f) {
+      return zonal::gather<N, NE, method>(zonal::HvlCache<NE>(lights), receiver, f);
+    };
+    CAPTURE(N, NE, trial);
+    REQUIRE(is_near(at(zonal), at(coefficients), 1e-6F));
+  }
+}
+
 }  // namespace
 
 TEST_CASE("gather: is its definition, at each number of bands and for any number of lights") {
@@ -145,6 +167,37 @@ TEST_CASE("gather: a white floor under a sphere reflects E / pi = L sin^2 a cos 
       CAPTURE(distance, elevation, sine);
       CHECK(std::abs(got - expected) <= 5 * sine * sine * 2e-3F);  // 21 bands of the clamped cosine
     }
+  }
+}
+
+TEST_CASE("gather: of a material that is the same about the normal N coefficients are all") {
+  check_zonal<1, 1, Horizon::none>(materials().red.table);
+  check_zonal<2, 1, Horizon::exact>(materials().red.table);
+  check_zonal<5, 1, Horizon::smoothstep>(materials().red.table);
+  check_zonal<5, 3, Horizon::smoothstep>(materials().red.table);
+}
+
+TEST_CASE("gather: what N coefficients about the normal give is the mean over all directions to the eye of one tilt") {
+  Random random(16);
+  for (int trial = 0; trial < 10; ++trial) {
+    const zonal::HvlCache<3> cache(random_lights(random, 7));
+    Surface receiver = random_receiver(random);
+    const auto f = receiver.material->with_cosine<5>(glm::dot(receiver.normal, receiver.outgoing));
+    const auto frame = [&](const Surface& r) { return zonal::detail::frame_of<zonal::HvlCache<3>::Lanes>(r); };
+    const auto at = [&](const Surface& r, const auto& c) {  // before negative sums are cut
+      return zonal::detail::gather_from<5, 3, Horizon::none>(cache, frame(r), c, {});
+    };
+    const glm::vec3 expected = at(receiver, zonal::about_axis(f));
+    glm::vec3 sum(0);
+    const int turns = 9;  // exact up to |m| = 8
+    for (int i = 0; i < turns; ++i) {
+      Surface turned = receiver;
+      turned.outgoing =
+          glm::mat3(glm::rotate(glm::mat4(1), 2 * float(pi) / turns * float(i), receiver.normal)) * receiver.outgoing;
+      sum += at(turned, f) / float(turns);
+    }
+    CAPTURE(trial);
+    CHECK(is_near(sum, expected, 1e-5F));
   }
 }
 

@@ -10,8 +10,9 @@
 // well (projection.hpp): of its coefficients only those of even l+m are there.
 //
 // Anisotropic materials have no such symmetry. Their coefficients, anisotropic_table.hpp, are those of the same frames,
-// but of m < 0 as well: N^2 at a receiver, NE (NE+1)/2 at a light. The kernel below is one, and takes what it is given:
-// EvenSh or Sh, EvenEmission or AnyEmission.
+// but of m < 0 as well: N^2 at a receiver, NE (NE+1)/2 at a light. A material that is the same all about the normal, as
+// Lambert's is, has more of it: N coefficients. The kernel below is one, and takes what it is given: Zh, EvenSh or Sh,
+// EvenEmission or AnyEmission.
 //
 // What a light sends out is read from the material's table at the direction to the primary light, as what a receiver
 // reflects is at the direction to the eye: that takes f(a, b) = f(b, a). Of measured materials that are not reciprocal
@@ -25,7 +26,10 @@
 #include <vector>
 
 #include "../basis/evaluate.hpp"
+#include "../basis/symmetry.hpp"
 #include "../lobe/cap.hpp"
+#include "../material/anisotropic_rows.hpp"
+#include "../material/material_rows.hpp"
 #include "../scalar/packet.hpp"
 #include "../scalar/vector3.hpp"
 #include "../transform/orient.hpp"
@@ -43,24 +47,26 @@ constexpr int emission_index(int l, int m) { return (l + 1) * (l + 1) / 4 + m / 
 
 /// What a light sends, even in z and in phi: m >= 0 only,
 struct EvenEmission {
-  static constexpr bool even_in_phi = true;
+  static constexpr Symmetry symmetry = Symmetry::mirror;
   static constexpr int index(int l, int m) { return emission_index(l, m); }
   static constexpr int size(int bands) { return emission_index(bands, bands % 2); }
 };
 
 /// and even in z alone, both signs of m.
 struct AnyEmission {
-  static constexpr bool even_in_phi = false;
+  static constexpr Symmetry symmetry = Symmetry::none;
   static constexpr int index(int l, int m) { return l * (l + 1) / 2 + (l + m) / 2; }
   static constexpr int size(int bands) { return bands * (bands + 1) / 2; }
 };
 
 namespace detail {
 
-/// The basis at (x, y, z): of m >= 0 alone, from x and z, or all; y is called for.
-template <int N, bool even_in_phi, class T, class Y, class Sink>
-ZONAL_INLINE inline void evaluate_half_or_all(const T& x, const Y& y, const T& z, const Sink& sink) {
-  if constexpr (even_in_phi) {
+/// What there is of the basis at (x, y, z), to sink(l, m, value): from z, from x and z, or from all; y is called for.
+template <int N, Symmetry symmetry, class T, class Y, class Sink>
+ZONAL_INLINE inline void evaluate_of(const T& x, const Y& y, const T& z, const Sink& sink) {
+  if constexpr (symmetry == Symmetry::zonal) {
+    evaluate_zonal<N>(z, [&](auto l, const T& value) ZONAL_INLINE { sink(l, Index<0>{}, value); });
+  } else if constexpr (symmetry == Symmetry::mirror) {
     evaluate_even<N>(x, z, sink);
   } else {
     evaluate<N>(x, y(), z, sink);
@@ -75,7 +81,8 @@ ZONAL_INLINE inline T across(const T (&direction)[3], const T (&normal)[3], cons
   return dot3(direction, bitangent);
 }
 
-/// The coefficients of a function that is even in phi, with its zeros.
+/// Coefficients as a kernel without symmetry takes them: those of a function that is even in phi with their zeros, and
+/// zonal ones as they are.
 template <int N, class T>
 constexpr Sh<N, T> all_orders(const EvenSh<N, T>& even) {
   Sh<N, T> sh{};
@@ -83,6 +90,10 @@ constexpr Sh<N, T> all_orders(const EvenSh<N, T>& even) {
     for (int m = 0; m <= l; ++m) sh(l, m) = even(l, m);
   }
   return sh;
+}
+template <int N, class T>
+constexpr Zh<N, T> all_orders(const Zh<N, T>& zonal) {
+  return zonal;
 }
 
 }  // namespace detail
@@ -130,13 +141,14 @@ ZONAL_INLINE inline HvlRecord<NE, T, Emission> scaled(HvlRecord<NE, T, Emission>
 }
 
 /// The outgoing radiance that one light (or one packet of lights) causes, to radiance[3], RGB. `material` is F at the
-/// outgoing direction, RGB by degree and order: EvenSh, or Sh of an anisotropic material. A receiver inside the sphere
-/// sees a hemisphere; one at its very centre sees nothing, for there is no direction to it.
+/// outgoing direction, RGB by degree and order: EvenSh, or Sh of an anisotropic material, or Zh, by degree, of one that
+/// is the same all about the normal. A receiver inside the sphere sees a hemisphere; one at its very centre sees
+/// nothing, for there is no direction to it.
 template <int N, int NE, Horizon method, class T, class Emission, class Material>
 ZONAL_INLINE inline void hvl_radiance(const HvlRecord<NE, T, Emission>& light, const ReceiverFrame<T>& receiver,
                                       const Material& material, T (&radiance)[3]) {
   static_assert(Material::bands == N, "the material's coefficients are those of N bands");
-  constexpr bool even_receiver = Material::size() == even_index(N, 0);
+  constexpr Symmetry symmetry = symmetry_of<Material>;
   // Where the light stands, and how large it looks.
   const LightDirection<T> to_light = look_at(light, receiver);
   const auto& direction = to_light.direction;
@@ -146,7 +158,7 @@ ZONAL_INLINE inline void hvl_radiance(const HvlRecord<NE, T, Emission>& light, c
 
   // What it sends towards the receiver; a band-limited emission that rings below zero sends nothing.
   T sent[3] = {T(0), T(0), T(0)};
-  detail::evaluate_half_or_all<NE, Emission::even_in_phi>(
+  detail::evaluate_of<NE, Emission::symmetry>(
       -detail::dot3(direction, light.tangent),
       [&]() ZONAL_INLINE { return -detail::across(direction, light.normal, light.tangent); },
       -detail::dot3(direction, light.normal),
@@ -162,11 +174,11 @@ ZONAL_INLINE inline void hvl_radiance(const HvlRecord<NE, T, Emission>& light, c
   for (auto& channel : by_degree) {
     for (T& sum : channel) sum = T(0);
   }
-  detail::evaluate_half_or_all<N, even_receiver>(
+  detail::evaluate_of<N, symmetry>(
       detail::dot3(direction, receiver.tangent),
       [&]() ZONAL_INLINE { return detail::across(direction, receiver.normal, receiver.tangent); }, cos_receiver,
       [&](auto l, auto m, const T& y) ZONAL_INLINE {
-        const auto& f = material.values[Material::index(l, m)];
+        const auto& f = material.values[coefficient_index(symmetry, l, m)];
         for (int c = 0; c < 3; ++c) by_degree[c][l] = by_degree[c][l] + T(f[c]) * y;
       });
   T reflected[3] = {T(0), T(0), T(0)};
@@ -262,7 +274,7 @@ class HvlCache {
       record.tangent[i] = tangent[i];
     }
     for (int l = 0; l < NE; ++l) {
-      for (int m = Emission::even_in_phi ? l % 2 : -l; m <= l; m += 2) {
+      for (int m = has_order(Emission::symmetry, -1) ? -l : l % 2; m <= l; m += 2) {
         const glm::vec3 sent = scale * reflected(l, m);
         for (int c = 0; c < 3; ++c) record.emission[c][Emission::index(l, m)] = sent[c];
       }
@@ -277,15 +289,27 @@ class HvlCache {
 
 namespace detail {
 
-/// The sum over some lights of a receiver whose coefficients F, in the frame given, are known. Only two kinds of lights
+/// The sum over some lights of a receiver whose coefficients F, in the frame given, are known. Only few kinds of lights
 /// and coefficients meet, EvenSh with those of isotropic materials and Sh with WithoutSymmetry: where one side has no
-/// symmetry, the other is taken without it too, for a kernel takes long to compile.
+/// symmetry, the other is taken without it too, for a kernel takes long to compile. That of Zh does not.
 template <int N, int NE, Horizon method, class Lights, class Material>
 glm::vec3 gather_from(const Lights& lights, const ReceiverFrame<typename Lights::Lanes>& frame,
                       const Material& coefficients, const Visibility& visible) {
   return sum_packets(lights, visible, [&](const auto& light, auto& rgb) ZONAL_INLINE {
     hvl_radiance<N, NE, method>(light, frame, coefficients, rgb);
   });
+}
+
+/// The sum over all lights, whichever the receiver's coefficients.
+template <int N, int NE, Horizon method, class Material>
+glm::vec3 gather_from_all(const HvlCache<NE>& cache, const Receiver& receiver, const Material& coefficients,
+                          const Visibility& visible) {
+  const auto frame = frame_of<typename HvlCache<NE>::Lanes>(receiver);
+  glm::vec3 sum = gather_from<N, NE, method>(cache, frame, coefficients, visible);
+  if (const auto others = cache.anisotropic_lights(); others.packet_count() > 0) {
+    sum += gather_from<N, NE, method>(others, frame, all_orders(coefficients), visible);
+  }
+  return (glm::max)(sum, glm::vec3(0));
 }
 
 }  // namespace detail
@@ -296,13 +320,14 @@ glm::vec3 gather_from(const Lights& lights, const ReceiverFrame<typename Lights:
 template <int N, int NE, Horizon method = Horizon::smoothstep>
 glm::vec3 gather(const HvlCache<NE>& cache, const Receiver& receiver, const EvenSh<N, glm::vec3>& coefficients,
                  const Visibility& visible = {}) {
-  using Lanes = typename HvlCache<NE>::Lanes;
-  const auto frame = detail::frame_of<Lanes>(receiver);
-  glm::vec3 sum = detail::gather_from<N, NE, method>(cache, frame, coefficients, visible);
-  if (const auto others = cache.anisotropic_lights(); others.packet_count() > 0) {
-    sum += detail::gather_from<N, NE, method>(others, frame, detail::all_orders(coefficients), visible);
-  }
-  return (glm::max)(sum, glm::vec3(0));
+  return detail::gather_from_all<N, NE, method>(cache, receiver, coefficients, visible);
+}
+
+/// The same of a material that is the same all about the normal: F_l^0 alone, about_axis(F).
+template <int N, int NE, Horizon method = Horizon::smoothstep>
+glm::vec3 gather(const HvlCache<NE>& cache, const Receiver& receiver, const Zh<N, glm::vec3>& coefficients,
+                 const Visibility& visible = {}) {
+  return detail::gather_from_all<N, NE, method>(cache, receiver, coefficients, visible);
 }
 
 /// The same with N bands of the table, of which those that it does not have are zero.

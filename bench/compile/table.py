@@ -12,7 +12,7 @@ import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-RUNS = 5
+RUNS = 3
 # From the first to what needs it; `standard` and `zonal` use nothing.
 UNITS = ["standard", "zonal", "basis", "gradient", "lobe", "transform", "product", "environment", "fit", "light",
          "material", "gather", "grid", "fill", "screen", "field", "shader"]

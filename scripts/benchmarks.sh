@@ -2,7 +2,7 @@
 # The papers' tables with what this machine makes of them, as Markdown on standard output: docs/benchmarks.md. Installs
 # and builds what it needs; progress goes to standard error.
 #   benchmarks.sh [--full]
-# About six minutes on two cores with nothing else to do. --full renders 1920x1080, and Table 4 at the same size.
+# About nine minutes on two cores with nothing else to do. --full renders 1920x1080, and Table 4 at the same size.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 

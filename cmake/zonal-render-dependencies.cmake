@@ -2,7 +2,7 @@
 # The build and the installed package both use this file.
 set(zonal_render_missing "")
 
-# Eigen below 3.4 lacks what packets are made of. Its version is read from its headers: find_package(Eigen3 3.4) would
+# Eigen, of the room `fit`, is tested from 3.4 on. Its version is read from its headers: find_package(Eigen3 3.4) would
 # refuse Eigen 5, and a target that is there already has no version.
 set(zonal_least_eigen 3.4)
 if(NOT TARGET Eigen3::Eigen)

@@ -2,7 +2,7 @@
 # The papers' tables with what this machine makes of them, as Markdown on standard output: docs/benchmarks.md. Installs
 # and builds what it needs; progress goes to standard error.
 #   benchmarks.sh [--full]
-# About six minutes on two cores with nothing else to do. --full renders 1920x1080, and Table 4 at the same size.
+# About nine minutes on two cores with nothing else to do. --full renders 1920x1080, and Table 4 at the same size.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
@@ -61,6 +61,6 @@ for bands in 5 7 9; do
 done
 python3 "$print_tables" table_5 "$folder"
 
-zonal_say "compiling each function" >&2
+zonal_say "compiling a unit of each room" >&2
 printf '\n'
-"$zonal_root/scripts/compile_times.sh" 5 9 21
+python3 "$zonal_root/bench/compile/table.py"

@@ -88,7 +88,8 @@ def frame_ms(row):
 # What tells two variants of a method apart, and how it is said.
 VARIANT = {"vpl_clamp": "clamped at {:.0f} r", "vsl_samples": "{:.0f} samples", "vsgl_texels": "{:.0f}² texels",
            "bands": "{:.0f} bands", "emission_bands": "emission {:.0f}", "paths": "{:.0f} to a pixel"}
-METHOD = {"vpl": "VPL", "vsl": "VSL", "vsgl": "VSGL", "hvl": "HVL", "hvl-zonal": "zonal HVL", "path": "paths"}
+METHOD = {"vpl": "VPL", "vsl": "VSL", "vsgl": "VSGL", "vsgl-2024": "VSGL of 2024", "hvl": "HVL",
+          "hvl-zonal": "zonal HVL", "path": "paths"}
 
 
 def variant(row):

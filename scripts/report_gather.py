@@ -25,14 +25,16 @@ SHORT = {
     "measured": {"vpl": 256, "vsl": 256, "hvl-zonal": 0},
     "variants": {
         "none": [("vpl", {}), ("vpl", {"vpl_clamp": 1}), ("vsl", {"vsl_samples": 4}), ("vsl", {"vsl_samples": 16}),
-                 ("vsgl", {"vsgl_texels": 4}), ("hvl", {"bands": 3}), ("hvl", {"bands": 5}), ("hvl", {"bands": 9}),
-                 ("hvl-zonal", {"bands": 15})],
-        "centre": [("vpl", {}), ("vpl", {"vpl_clamp": 1}), ("vsl", {"vsl_samples": 16}), ("vsgl", {"vsgl_texels": 4}),
+                 ("vsgl", {"vsgl_texels": 4}), ("vsgl-2024", {"vsgl_texels": 1}), ("vsgl-2024", {"vsgl_texels": 4}),
+                 ("hvl", {"bands": 3}), ("hvl", {"bands": 5}), ("hvl", {"bands": 9}), ("hvl-zonal", {"bands": 15})],
+        "centre": [("vpl", {}), ("vpl", {"vpl_clamp": 1}), ("vsl", {"vsl_samples": 16}), ("vsgl", {"vsgl_texels": 1}),
+                   ("vsgl", {"vsgl_texels": 4}), ("vsgl-2024", {"vsgl_texels": 1}), ("vsgl-2024", {"vsgl_texels": 4}),
                    ("hvl", {"bands": 3}), ("hvl", {"bands": 9}), ("hvl-zonal", {"bands": 15})]},
 }
 EVERY_VARIANT = [("vpl", {}), ("vpl", {"vpl_clamp": 1}), ("vsl", {"vsl_samples": 4}), ("vsl", {"vsl_samples": 16}),
                  ("vsl", {"vsl_samples": 64}), ("vsgl", {"vsgl_texels": 1}), ("vsgl", {"vsgl_texels": 4}),
-                 ("vsgl", {"vsgl_texels": 8}), ("hvl", {"bands": 3}), ("hvl", {"bands": 5}), ("hvl", {"bands": 7}),
+                 ("vsgl", {"vsgl_texels": 8}), ("vsgl-2024", {"vsgl_texels": 1}), ("vsgl-2024", {"vsgl_texels": 4}),
+                 ("vsgl-2024", {"vsgl_texels": 8}), ("hvl", {"bands": 3}), ("hvl", {"bands": 5}), ("hvl", {"bands": 7}),
                  ("hvl", {"bands": 9}), ("hvl", {"bands": 5, "emission_bands": 5}), ("hvl-zonal", {"bands": 5}),
                  ("hvl-zonal", {"bands": 9}), ("hvl-zonal", {"bands": 15})]
 FULL = {
@@ -46,7 +48,7 @@ QUICK = {  # shows that all is there
     "repeats": 1, "size": (32, 26), "paths": 4, "big_size": (40, 32), "big_paths": 4,
     "lights": {"none": [16], "centre": [16]}, "most_points": 64, "measured": {},
     "variants": dict.fromkeys(
-        ("none", "centre"), [("vpl", {}), ("vsgl", {}), ("hvl", {"bands": 3}), ("hvl", {"bands": 9})]),
+        ("none", "centre"), [("vpl", {}), ("vsgl", {}), ("vsgl-2024", {}), ("hvl", {"bands": 3}), ("hvl", {"bands": 9})]),
 }
 
 
@@ -119,10 +121,10 @@ class Renderer:
         seconds, used = facts["seconds"], facts["options"]
         count = facts["counts"]["virtual_lights"]
         mine = {"hvl": ["bands", "emission_bands"], "hvl-zonal": ["bands"], "vsl": ["vsl_samples"],
-                "vsgl": ["vsgl_texels"], "vpl": ["vpl_clamp"]}.get(method, [])
+                "vsgl": ["vsgl_texels"], "vsgl-2024": ["vsgl_texels"], "vpl": ["vpl_clamp"]}.get(method, [])
         return {"part": part, "label": label, "scene": scene, "width": size[0], "height": size[1],
                 "visibility": used["visibility"], "method": method,
-                "lights": count // used["vsgl_texels"] ** 2 if method == "vsgl" else count,
+                "lights": count // used["vsgl_texels"] ** 2 if "vsgl_texels" in mine else count,
                 **{name: used[name] for name in mine},
                 "material_s": seconds.get("material projection", 0), "lights_s": seconds["virtual lights"],
                 "gather_s": seconds["gather"], **errors_of(facts), "picture": picture}
@@ -205,6 +207,7 @@ def figure_12(renderer, plan):
     yield zonal
     yield render("12b", "vpl", time_budget=seconds_of(zonal))
     yield render("12c", "vsgl", time_budget=seconds_of(zonal), vsgl_texels=14)
+    yield render("12d", "vsgl-2024", time_budget=seconds_of(zonal), vsgl_texels=14)
 
 
 def main(program, report_data, folder, *options):

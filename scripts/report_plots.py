@@ -11,8 +11,8 @@ from report_data import (METHOD, VARIANT, distinct, frame_ms, gather_ms, log_slo
 # Okabe and Ito's colours, which the colour-blind tell apart.
 BLACK, ORANGE, SKY, GREEN, BLUE, RED, PURPLE = ("#000000", "#E69F00", "#56B4E9", "#009E73", "#0072B2", "#D55E00",
                                                 "#CC79A7")
-METHOD_STYLE = {"vpl": (RED, "o"), "vsl": (ORANGE, "s"), "vsgl": (PURPLE, "D"), "hvl": (BLUE, "^"),
-                "hvl-zonal": (GREEN, "v")}
+METHOD_STYLE = {"vpl": (RED, "o"), "vsl": (ORANGE, "s"), "vsgl": (PURPLE, "D"),
+                "vsgl-2024": (SKY, "p"), "hvl": (BLUE, "^"), "hvl-zonal": (GREEN, "v")}
 SCENE = {"diffuse": "diffuse atrium", "glossy": "glossy atrium", "measured": "measured materials"}
 VISIBILITY = {"none": "no visibility", "centre": "visibility of centres"}
 FRONT = {"color": BLACK, "linewidth": 0.9, "linestyle": (0, (4, 2)), "zorder": 1}

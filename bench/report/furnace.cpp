@@ -41,6 +41,7 @@ class Furnace {
         cache_(lights_),
         harmonics_(lights_),
         gaussians_(zonal::make_gaussian_lights(lights_.data(), side, 1)),
+        gaussians_2024_(zonal::make_gaussian_lights<zonal::Vsgl::of_2024>(lights_.data(), side, 1)),
         receivers_(receivers) {}
 
   void print_all(const Material& material, double degrees) const {
@@ -55,6 +56,8 @@ class Furnace {
     print("vpl clamped at 1 r", 0, [&](const Receiver& r) { return zonal::gather_vpl(cache_, r, brdf, 1); });
     print("vsl of 16 samples", 0, [&](const Receiver& r) { return zonal::gather_vsl(cache_, r, brdf, 16, uniform); });
     print("vsgl", 0, [&](const Receiver& r) { return zonal::gather_vsgl(gaussians_, r, brdf); });
+    print("vsgl-2024", 0,
+          [&](const Receiver& r) { return zonal::gather_vsgl<zonal::Vsgl::of_2024>(gaussians_2024_, r, brdf); });
     zonal_bench::for_bands(FurnaceBands{}, [&](auto n) {
       print("hvl", n, [&](const Receiver& r) { return zonal::gather<n>(harmonics_, r, material.table); });
       print("hvl-zonal", n,
@@ -69,7 +72,7 @@ class Furnace {
   std::vector<zonal::VirtualLight> lights_;
   zonal::LightCache cache_;
   zonal::HvlCache<1> harmonics_;
-  zonal::GaussianCache gaussians_;
+  zonal::GaussianCache gaussians_, gaussians_2024_;
   int receivers_;
 };
 

@@ -1,4 +1,4 @@
-// hvl-render: one-bounce global illumination by virtual lights of five kinds, beside a path-traced reference.
+// hvl-render: one-bounce global illumination by virtual lights of six kinds, beside a path-traced reference.
 #include <algorithm>
 #include <cstdio>
 #include <memory>

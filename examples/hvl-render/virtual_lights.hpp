@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <zonal/gather/virtual_light.hpp>
+#include <zonal/material/anisotropic_table.hpp>
 #include <zonal/material/material_table.hpp>
 #include <zonal/material/zonal_table.hpp>
 

@@ -1,9 +1,9 @@
 // Indirect light on a GPU: virtual lights and a material in buffers, gathered in a compute shader by generated
-// functions, beside the same gather in C++. Needs GLM, Eigen, EGL and OpenGL 4.3; a driver on the CPU will do (on
+// functions, beside the same gather in C++. Needs GLM, EGL and OpenGL 4.3; a driver on the CPU will do (on
 // Debian libegl-dev libgl-dev libgl1-mesa-dri). The functions first:
 //
 //   zonal-glsl --functions gather@5,material_with_cosine@5,tangent_towards -o hvl.glsl
-//   g++ -std=c++17 -O2 -Iinclude -I/usr/include/eigen3 examples/pages/hvl_on_gpu.cpp -o hvl_on_gpu -lEGL -lGL
+//   g++ -std=c++17 -O2 -Iinclude examples/pages/hvl_on_gpu.cpp -o hvl_on_gpu -lEGL -lGL
 //
 // zonal-glsl: cmake --preset release && cmake --build build/release --target zonal-glsl, which leaves it in
 // build/release/tools/zonal-glsl; or as it was installed. All that in a CMake build:

@@ -1,7 +1,7 @@
 // Indirect light on gold: a material projected to a table, virtual lights gathered by it, and what an integral over the
-// surface gives. Needs GLM and Eigen:
+// surface gives. Needs GLM:
 //
-//   g++ -std=c++17 -O2 -march=native -Iinclude -I/usr/include/eigen3 examples/pages/material_gather.cpp -o gather
+//   g++ -std=c++17 -O2 -march=native -Iinclude examples/pages/material_gather.cpp -o gather
 #include <zonal/gather/hvl.hpp>
 #include <zonal/gather/radius.hpp>
 #include <zonal/material/material_table.hpp>

@@ -1,6 +1,6 @@
-// Light probes on a grid: filled once, saved, loaded, and looked up wherever something stands. Needs GLM and Eigen:
+// Light probes on a grid: filled once, saved, loaded, and looked up wherever something stands. Needs GLM:
 //
-//   g++ -std=c++17 -O2 -march=native -Iinclude -I/usr/include/eigen3 examples/pages/probe_grid.cpp -o probe_grid
+//   g++ -std=c++17 -O2 -march=native -Iinclude examples/pages/probe_grid.cpp -o probe_grid
 #include <zonal/grid/add_lights.hpp>
 #include <zonal/grid/grid_file.hpp>
 #include <zonal/grid/interpolate.hpp>

@@ -1,7 +1,7 @@
 // Instant radiosity at a sixteenth of its cost: neighbouring pixels see different sets of lights, and a filter of
 // incident radiance gives each the mean of all, whatever normal it is shaded by afterwards.
 //
-//   g++ -std=c++17 -O2 -Iinclude -I/usr/include/eigen3 examples/pages/screen_filter.cpp -o screen_filter
+//   g++ -std=c++17 -O2 -Iinclude examples/pages/screen_filter.cpp -o screen_filter
 #include <zonal/lobe/lambert.hpp>
 #include <zonal/screen/filter.hpp>
 #include <zonal/screen/incident.hpp>

@@ -1,9 +1,8 @@
 // zonal: spherical harmonics for renderers.
 //
 // This header is the part that needs the standard library alone: the basis, zonal lobes, and what is done to them.
-// Pictures are included by their own headers, zonal/environment/..., as are the rooms that speak GLM or Eigen:
-// zonal/scalar/packet.hpp, zonal/light/...,
-// zonal/material/..., zonal/gather/..., zonal/grid/...
+// Packets and pictures are included by their own headers, zonal/scalar/packet.hpp, zonal/environment/..., as are the
+// rooms that speak GLM or Eigen: zonal/light/..., zonal/material/..., zonal/gather/..., zonal/grid/...
 //
 // Conventions, everywhere in this library
 //

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <zonal/gather/virtual_light.hpp>
+#include <zonal/material/anisotropic_table.hpp>
+#include <zonal/material/material_table.hpp>
 
 #include <cmath>
 #include <random>

@@ -6,6 +6,8 @@
 #include <random>
 #include <stdexcept>
 
+#include <glm/geometric.hpp>
+
 #include "../catch.hpp"
 
 namespace {

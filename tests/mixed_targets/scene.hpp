@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <zonal/gather/hvl.hpp>
-#include <zonal/material/projection.hpp>
+#include <zonal/material/material_table.hpp>
 
 struct Scene {
   zonal::HvlCache<1> cache;

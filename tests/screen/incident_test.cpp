@@ -1,5 +1,6 @@
 // Light samples against their formulas in double, the moments against integrals, shading against quadrature.
 #include <zonal/lobe/phong.hpp>
+#include <zonal/material/material_table.hpp>
 #include <zonal/screen/incident.hpp>
 #include <zonal/screen/moments.hpp>
 #include <zonal/screen/shade.hpp>

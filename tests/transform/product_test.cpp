@@ -1,4 +1,5 @@
 // Products against quadrature on the sphere, against values in directions, and against each other by both routes.
+#include <zonal/scalar/quadrature.hpp>
 #include <zonal/transform/product.hpp>
 #include <zonal/zonal.hpp>
 

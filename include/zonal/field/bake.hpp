@@ -9,6 +9,7 @@
 // Blocks may be shared out: `share` says which this process takes, and sums of all shares add up to the field.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>

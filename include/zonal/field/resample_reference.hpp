@@ -11,6 +11,7 @@
 //     SCCG 2009, section 3.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 

@@ -28,6 +28,7 @@
 
 #include "../lobe/gaussian_horizon.hpp"
 #include "../lobe/gaussian_product.hpp"
+#include "../material/brdf.hpp"
 #include "receiver.hpp"
 #include "virtual_light.hpp"
 

@@ -29,6 +29,8 @@
 #include "../basis/evaluate.hpp"
 #include "../basis/symmetry.hpp"
 #include "../lobe/cap.hpp"
+#include "../material/anisotropic_rows.hpp"
+#include "../material/material_rows.hpp"
 #include "../scalar/packet.hpp"
 #include "../scalar/vector3.hpp"
 #include "../transform/orient.hpp"

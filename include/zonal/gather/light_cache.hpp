@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "../material/brdf.hpp"
 #include "packet_array.hpp"
 #include "receiver.hpp"
 #include "virtual_light.hpp"

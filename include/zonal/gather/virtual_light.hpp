@@ -3,12 +3,14 @@
 
 #include <glm/vec3.hpp>
 
-#include "../material/anisotropic_table.hpp"
-#include "../material/brdf.hpp"
-#include "../material/material_table.hpp"
+#include "../scalar/target.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
+
+class MaterialTable;
+class AnisotropicTable;
+struct Brdf;
 
 /// The least radius that a virtual light has for its gathers, a length: one that is smaller, or 0, is taken for a point
 /// light all the same, and its 1 / r^2 stays within what floats hold.

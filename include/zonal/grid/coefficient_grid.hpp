@@ -7,7 +7,6 @@
 // interpolations that use gradients read all four, and so do vertices along x: a cell is four runs of memory.
 #pragma once
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -154,7 +153,7 @@ CoefficientGrid<N, GridContent::values> values_of(const CoefficientGrid<N>& grid
   CoefficientGrid<N, GridContent::values> values(grid.low(), grid.high(), grid.resolution());
   const float* source = grid.data();
   for (float* target = values.data(); target < values.data() + values.size(); target += values.vertex_size) {
-    std::copy_n(source, values.block_size, target);
+    for (int i = 0; i < values.block_size; ++i) target[i] = source[i];
     source += grid.vertex_size;
   }
   return values;

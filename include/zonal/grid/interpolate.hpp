@@ -15,7 +15,6 @@
 // number of cells that lie below it.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 
 #include <glm/vec3.hpp>
@@ -40,7 +39,8 @@ inline CellCoordinate locate(float x, float low, float high, int vertices) {
   const float count = static_cast<float>(vertices), last = count - 1.0F, rate = cell_rate(low, high, count);
   const float inside = cell_position(x, low, rate, count);  // NaN stays
   // NaN is 0: the order of operands matters. Beyond 2^24 vertices a float may count one too many.
-  const int cell = (std::min)(static_cast<int>(minimum(maximum(0.0F, inside), last - 1.0F)), vertices - 2);
+  const int below = static_cast<int>(minimum(maximum(0.0F, inside), last - 1.0F));
+  const int cell = below < vertices - 2 ? below : vertices - 2;
   const float t = minimum(inside - static_cast<float>(cell), 1.0F);
   return {cell, t, x < low || high < x ? 0.0F : rate};
 }
@@ -86,28 +86,33 @@ ZONAL_INLINE inline void weighted_sums(const float* const (&corners)[8],
   constexpr int lanes = lanes_for(Count), vectors = (Count + lanes - 1) / lanes;
   constexpr int together = Outputs == 1 ? 6 : 2;  // so that all sums stay in registers
   using Floats = Lanes<float, lanes>;
-  unroll<0, (vectors + together - 1) / together>([&](auto group) ZONAL_INLINE {
-    constexpr int first = group * together, size = vectors - first < together ? vectors - first : together;
-    constexpr auto begin = [](int i) {
-      return (first + i) * lanes < Count - lanes ? (first + i) * lanes : Count - lanes;
-    };
-    Floats partial[static_cast<std::size_t>(Outputs)][static_cast<std::size_t>(size)];
+  // The sums of `size` vectors from float `begin` on, number i of which begins at(i) floats later.
+  const auto sum_vectors = [&](auto size, int begin, auto at) ZONAL_INLINE {
+    Floats partial[static_cast<std::size_t>(Outputs)][static_cast<std::size_t>(size())];
     for (auto& output : partial) {
       for (Floats& sum : output) sum = Floats(0);
     }
     for (int c = 0; c < 8; ++c) {
+      const float* const corner = corners[c] + begin;
       unroll<0, blocks_read(method)>([&](auto block) ZONAL_INLINE {
         Floats weight[static_cast<std::size_t>(Outputs)];
         for (int o = 0; o < Outputs; ++o) weight[o] = Floats(weights[o].corner[c][block]);
-        unroll<0, size>([&](auto i) ZONAL_INLINE {
-          const Floats data = Floats::load(corners[c] + block * Count + begin(i));
+        unroll<0, size()>([&](auto i) ZONAL_INLINE {
+          const Floats data = Floats::load(corner + (block * Count + at(i)));
           for (int o = 0; o < Outputs; ++o) partial[o][i].add_product(weight[o], data);
         });
       });
     }
     for (int o = 0; o < Outputs; ++o) {
-      for (int i = 0; i < size; ++i) partial[o][i].store(sums[o] + begin(i));
+      for (int i = 0; i < size; ++i) partial[o][i].store(sums[o] + begin + at(i));
     }
+  };
+  constexpr int last = (vectors - 1) / together * together;  // the first vector of the last ones
+  for (int first = 0; first < last; first += together) {
+    sum_vectors(Index<together>{}, first * lanes, [](int i) ZONAL_INLINE { return i * lanes; });
+  }
+  sum_vectors(Index<vectors - last>{}, last * lanes, [](int i) ZONAL_INLINE {
+    return (last + i) * lanes < Count - lanes ? i * lanes : Count - lanes - last * lanes;
   });
 }
 

@@ -16,13 +16,11 @@
 // 65504 they are 65504. What is not a number stays so.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include <Eigen/Core>
-
+#include "../environment/half.hpp"
 #include "coefficient_grid.hpp"
 
 namespace zonal {
@@ -46,7 +44,7 @@ template <>
 inline std::uint16_t texture_number<std::uint16_t>(float x) {
   constexpr float most = 65504.0F;
   const float bounded = x < -most ? -most : most < x ? most : x;  // NaN stays
-  return Eigen::numext::bit_cast<std::uint16_t>(Eigen::half(bounded));
+  return to_half(bounded).bits;
 }
 
 }  // namespace detail

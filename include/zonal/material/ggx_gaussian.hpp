@@ -27,6 +27,7 @@
 // [2] J. Dupuy, A. Benyoub, Sampling Visible GGX Normals with Spherical Caps, HPG 2023.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "../scalar/function_ref.hpp"
+#include "brdf_projection.hpp"
 #include "even_part.hpp"
 #include "ggx.hpp"
 #include "ggx_gaussian.hpp"
@@ -20,9 +21,6 @@
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
-
-/// A BRDF in 1/sr, as any function of (wi, wo) that is zero at and below the horizon.
-using BrdfFunction = SharedFunction<glm::dvec3(const glm::dvec3&, const glm::dvec3&)>;
 
 /// A quadrature over the hemisphere that suits a BRDF seen from wo: nodes(wo, level, visit) calls visit(wi, f(wi, wo)
 /// times the node's solid angle), level 0 to brdf_node_levels - 1 from coarse to fine. An isotropic BRDF's are for

@@ -26,22 +26,11 @@
 #include <glm/vec3.hpp>
 
 #include "../basis/evaluate.hpp"
-#include "../basis/sh.hpp"
+#include "brdf_projection.hpp"
 #include "mirror_nodes.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
-
-/// The coefficients, RGB, dimensionless, for one outgoing direction. `error` is the movement of the last
-/// refinement: the greatest over all coefficients of either kind, relative to the largest of that kind; the
-/// true error is smaller. `theta_nodes` is the number of nodes it used in each of the two intervals of theta,
-/// and in phi.
-template <int N>
-struct BrdfProjection {
-  EvenSh<N, glm::dvec3> with_cosine{}, without_cosine{};
-  double error = 0.0;
-  int theta_nodes = 0;
-};
 
 namespace detail {
 

@@ -1,6 +1,6 @@
-// Numbers side by side in the compiler's own vectors: no Eigen, and next to nothing to compile. They are a scalar for
-// kernels that add, subtract and multiply only, as the basis does; one with all that a scalar can do is the Packet
-// (packet.hpp).
+// Numbers side by side in one of the compiler's own vectors: next to nothing to compile. They are a scalar for kernels
+// that add, subtract and multiply only, as the basis does; one with all that a scalar can do, of any number of lanes,
+// is the Packet (packet.hpp).
 #pragma once
 
 #include <cstddef>
@@ -37,18 +37,25 @@ template <class T, int count>
 class Lanes {
   static_assert(is_builtin_scalar_v<T> && count >= 1 && (count & (count - 1)) == 0, "2, 4, 8 ... built-in scalars");
   static constexpr auto bytes = static_cast<std::size_t>(count) * sizeof(T);
+
+ public:
 #if defined(ZONAL_COMPILER_VECTORS)
   typedef T Vector __attribute__((vector_size(bytes)));
   // Where any numbers stand. (A memcpy to and from it costs GCC registers.)
   typedef T InMemory __attribute__((vector_size(bytes), aligned(alignof(T)), may_alias));
+  /// What comparing two gives: in each lane all bits set, or none.
+  using Mask = decltype(Vector{} < Vector{});
 #else
   struct Vector {
     T numbers[count];
+    T& operator[](int i) { return numbers[i]; }
+    const T& operator[](int i) const { return numbers[i]; }
   };
   using InMemory = Vector;
+  struct Mask {
+    bool holds[count];
+  };
 #endif
-
- public:
   static constexpr int width = count;
 
   Lanes() = default;
@@ -67,8 +74,10 @@ class Lanes {
     return x;
   }
   ZONAL_INLINE void store(T* target) const { *reinterpret_cast<InMemory*>(target) = values_; }
+  ZONAL_INLINE explicit Lanes(const Vector& values) : values_(values) {}
+  ZONAL_INLINE const Vector& vector() const { return values_; }
 #if defined(ZONAL_COMPILER_VECTORS)
-  /// The same bits as one of the compiler's own vector types, and back.
+  /// The same bits as another of the compiler's own vector types, and back.
   template <class V>
   ZONAL_INLINE V as() const {
     return reinterpret_cast<V>(values_);
@@ -87,6 +96,15 @@ class Lanes {
   ZONAL_INLINE friend Lanes operator+(const Lanes& a, const Lanes& b) { return Lanes(a.values_ + b.values_); }
   ZONAL_INLINE friend Lanes operator-(const Lanes& a, const Lanes& b) { return Lanes(a.values_ - b.values_); }
   ZONAL_INLINE friend Lanes operator*(const Lanes& a, const Lanes& b) { return Lanes(a.values_ * b.values_); }
+  ZONAL_INLINE friend Lanes operator/(const Lanes& a, const Lanes& b) { return Lanes(a.values_ / b.values_); }
+  ZONAL_INLINE friend Lanes abs(const Lanes& a) {
+    return from(reinterpret_cast<Mask>(a.values_) & ~reinterpret_cast<Mask>(-Vector{}));  // all but the sign
+  }
+  ZONAL_INLINE friend Mask operator<(const Lanes& a, const Lanes& b) { return a.values_ < b.values_; }
+  ZONAL_INLINE friend Mask operator<=(const Lanes& a, const Lanes& b) { return a.values_ <= b.values_; }
+  ZONAL_INLINE static Lanes select(const Mask& mask, const Lanes& a, const Lanes& b) {
+    return Lanes(mask ? a.values_ : b.values_);
+  }
 #else
   friend Lanes operator-(const Lanes& a) {
     return map(a, a, [](T x, T) { return -x; });
@@ -100,6 +118,27 @@ class Lanes {
   friend Lanes operator*(const Lanes& a, const Lanes& b) {
     return map(a, b, [](T x, T y) { return x * y; });
   }
+  friend Lanes operator/(const Lanes& a, const Lanes& b) {
+    return map(a, b, [](T x, T y) { return x / y; });
+  }
+  friend Lanes abs(const Lanes& a) {
+    return map(a, a, [](T x, T) { return x > T(0) ? x : T(0) - x; });
+  }
+  friend Mask operator<(const Lanes& a, const Lanes& b) {
+    Mask r;
+    for (int i = 0; i < count; ++i) r.holds[i] = a.values_[i] < b.values_[i];
+    return r;
+  }
+  friend Mask operator<=(const Lanes& a, const Lanes& b) {
+    Mask r;
+    for (int i = 0; i < count; ++i) r.holds[i] = a.values_[i] <= b.values_[i];
+    return r;
+  }
+  static Lanes select(const Mask& mask, const Lanes& a, const Lanes& b) {
+    Lanes r;
+    for (int i = 0; i < count; ++i) r.values_[i] = mask.holds[i] ? a.values_[i] : b.values_[i];
+    return r;
+  }
 #endif
 
   /// Lane i is number at(i) of a's lanes followed by b's: At::at is constexpr.
@@ -110,8 +149,6 @@ class Lanes {
 
  private:
 #if defined(ZONAL_COMPILER_VECTORS)
-  ZONAL_INLINE explicit Lanes(const Vector& values) : values_(values) {}
-
   template <class At, int... i>
   ZONAL_INLINE static Lanes shuffle(const Lanes& a, const Lanes& b, std::integer_sequence<int, i...>) {
 #if defined(__clang__)

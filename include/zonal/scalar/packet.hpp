@@ -1,32 +1,149 @@
-// W lanes at once: SIMD over directions, lights, grid points or pixels. Needs Eigen.
+// W lanes at once: SIMD over directions, lights, grid points or pixels.
 //
-// A thin eager type over Eigen's registers: every operation gives a Packet, never an expression.
+// As many registers as the lanes fill (lanes.hpp), with all that a scalar can do.
 #pragma once
 
-#include <Eigen/Core>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
 
 #include "lanes.hpp"
 #include "scalar.hpp"
-#include "unroll.hpp"
+
+#if defined(ZONAL_COMPILER_VECTORS) && defined(__AVX__)
+#include <immintrin.h>
+#elif defined(ZONAL_COMPILER_VECTORS) && defined(__SSE2__)
+#include <emmintrin.h>
+#endif
 
 // GCC 12 takes the undefined register inside its own AVX-512 intrinsics for a mistake (GCC bug 105593).
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wuninitialized"
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#pragma GCC diagnostic ignored "-Wignored-attributes"
 #endif
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
 
 namespace detail {
-// W values as Eigen's widest registers that divide W: registers, not Eigen's arrays and expressions, which GCC copies
-// by halves and stops inlining in a large kernel (20 times slower).
+
+// What compilers have no operator for, of a register: here number by number, below by the targets' own instructions.
+// The minimum of a and b is b < a ? b : a, also of what is no number; fused is a b + c in one rounding where the target
+// has such an operation.
+template <class T, std::size_t bytes>
+struct RegisterMath {
+  static constexpr int count = static_cast<int>(bytes / sizeof(T));
+  using R = typename Lanes<T, count>::Vector;
+
+  template <class F>
+  ZONAL_INLINE static R each(F f) {
+    R r;
+    for (int i = 0; i < count; ++i) r[i] = f(i);
+    return r;
+  }
+  ZONAL_INLINE static R root(const R& a) {
+    return each([&](int i) ZONAL_INLINE { return std::sqrt(a[i]); });
+  }
+  ZONAL_INLINE static R least(const R& a, const R& b) {
+    return each([&](int i) ZONAL_INLINE { return minimum(T(a[i]), T(b[i])); });
+  }
+  ZONAL_INLINE static R greatest(const R& a, const R& b) {
+    return each([&](int i) ZONAL_INLINE { return maximum(T(a[i]), T(b[i])); });
+  }
+  ZONAL_INLINE static R fused(const R& a, const R& b, const R& c) {
+    return each([&](int i) ZONAL_INLINE { return a[i] * b[i] + c[i]; });
+  }
+};
+
+#if defined(ZONAL_COMPILER_VECTORS) && defined(__SSE2__)
+template <>
+struct RegisterMath<float, 16> {
+  using R = __m128;
+  ZONAL_INLINE static R root(R a) { return _mm_sqrt_ps(a); }
+  ZONAL_INLINE static R least(R a, R b) { return _mm_min_ps(b, a); }
+  ZONAL_INLINE static R greatest(R a, R b) { return _mm_max_ps(b, a); }
+#if defined(__FMA__)
+  ZONAL_INLINE static R fused(R a, R b, R c) { return _mm_fmadd_ps(a, b, c); }
+#else
+  ZONAL_INLINE static R fused(R a, R b, R c) { return a * b + c; }
+#endif
+};
+template <>
+struct RegisterMath<double, 16> {
+  using R = __m128d;
+  ZONAL_INLINE static R root(R a) { return _mm_sqrt_pd(a); }
+  ZONAL_INLINE static R least(R a, R b) { return _mm_min_pd(b, a); }
+  ZONAL_INLINE static R greatest(R a, R b) { return _mm_max_pd(b, a); }
+#if defined(__FMA__)
+  ZONAL_INLINE static R fused(R a, R b, R c) { return _mm_fmadd_pd(a, b, c); }
+#else
+  ZONAL_INLINE static R fused(R a, R b, R c) { return a * b + c; }
+#endif
+};
+#endif
+#if defined(ZONAL_COMPILER_VECTORS) && defined(__AVX__)
+template <>
+struct RegisterMath<float, 32> {
+  using R = __m256;
+  ZONAL_INLINE static R root(R a) { return _mm256_sqrt_ps(a); }
+  ZONAL_INLINE static R least(R a, R b) { return _mm256_min_ps(b, a); }
+  ZONAL_INLINE static R greatest(R a, R b) { return _mm256_max_ps(b, a); }
+#if defined(__FMA__)
+  ZONAL_INLINE static R fused(R a, R b, R c) { return _mm256_fmadd_ps(a, b, c); }
+#else
+  ZONAL_INLINE static R fused(R a, R b, R c) { return a * b + c; }
+#endif
+};
+template <>
+struct RegisterMath<double, 32> {
+  using R = __m256d;
+  ZONAL_INLINE static R root(R a) { return _mm256_sqrt_pd(a); }
+  ZONAL_INLINE static R least(R a, R b) { return _mm256_min_pd(b, a); }
+  ZONAL_INLINE static R greatest(R a, R b) { return _mm256_max_pd(b, a); }
+#if defined(__FMA__)
+  ZONAL_INLINE static R fused(R a, R b, R c) { return _mm256_fmadd_pd(a, b, c); }
+#else
+  ZONAL_INLINE static R fused(R a, R b, R c) { return a * b + c; }
+#endif
+};
+#endif
+#if defined(ZONAL_COMPILER_VECTORS) && defined(__AVX512F__)
+template <>
+struct RegisterMath<float, 64> {
+  using R = __m512;
+  ZONAL_INLINE static R root(R a) { return _mm512_sqrt_ps(a); }
+  ZONAL_INLINE static R least(R a, R b) { return _mm512_min_ps(b, a); }
+  ZONAL_INLINE static R greatest(R a, R b) { return _mm512_max_ps(b, a); }
+  ZONAL_INLINE static R fused(R a, R b, R c) { return _mm512_fmadd_ps(a, b, c); }
+};
+template <>
+struct RegisterMath<double, 64> {
+  using R = __m512d;
+  ZONAL_INLINE static R root(R a) { return _mm512_sqrt_pd(a); }
+  ZONAL_INLINE static R least(R a, R b) { return _mm512_min_pd(b, a); }
+  ZONAL_INLINE static R greatest(R a, R b) { return _mm512_max_pd(b, a); }
+  ZONAL_INLINE static R fused(R a, R b, R c) { return _mm512_fmadd_pd(a, b, c); }
+};
+#endif
+
+// The widest registers that divide W lanes.
+template <class T>
+constexpr int register_lanes(int W) {
+  int lanes = native_lanes_v<T>;
+  while (W % lanes != 0) lanes /= 2;
+  return lanes;
+}
+
+// W values in registers, and not in one array of them, which GCC copies by halves and stops inlining in a large kernel
+// (20 times slower).
 template <class T, int W>
 struct Registers {
-  using Register = typename Eigen::internal::find_best_packet<T, W>::type;
-  static constexpr int step = Eigen::internal::unpacket_traits<Register>::size;
-  static_assert(W % step == 0, "the width of a packet fills whole registers: 4, 8, 16, ... floats");
+  static constexpr int step = register_lanes<T>(W);
+  using Register = Lanes<T, step>;
+  using Math = RegisterMath<T, sizeof(Register)>;
+  static_assert(W % step == 0 && sizeof(Register) >= 16, "a packet fills whole registers: 4, 8, 16, ... floats");
 
   Register values[static_cast<std::size_t>(W / step)];
 
@@ -43,7 +160,8 @@ struct Registers {
 /// What comparing two packets gives: in each lane all bits set, or none.
 template <class T, int W>
 struct PacketMask {
-  detail::Registers<T, W> bits;
+  using Registers = detail::Registers<T, W>;
+  typename Registers::Register::Mask values[static_cast<std::size_t>(W / Registers::step)];
 };
 
 /// W values of a built-in T, which fill whole registers: 4, 8, 16 ... floats.
@@ -51,6 +169,8 @@ template <class T, int W>
 struct Packet {
   static_assert(is_builtin_scalar_v<T> && W >= 1, "a packet holds W >= 1 built-in scalars");
   using Registers = detail::Registers<T, W>;
+  using Register = typename Registers::Register;
+  using Math = typename Registers::Math;
   using Mask = PacketMask<T, W>;
   static constexpr int width = W;
 
@@ -59,15 +179,14 @@ struct Packet {
   Packet() = default;
   template <class C, class = std::enable_if_t<std::is_arithmetic_v<C>>>
   ZONAL_INLINE explicit Packet(C constant)
-      : lanes(Registers::map(
-            [constant] { return Eigen::internal::pset1<typename Registers::Register>(static_cast<T>(constant)); })) {}
+      : lanes(Registers::map([constant]() ZONAL_INLINE { return Register(static_cast<T>(constant)); })) {}
   ZONAL_INLINE explicit Packet(const Registers& registers) : lanes(registers) {}
 
   /// W consecutive values; `values` may have any alignment.
   ZONAL_INLINE static Packet load(const T* values) {
     Packet r;
     for (int i = 0; i < W / Registers::step; ++i) {
-      r.lanes.values[i] = Eigen::internal::ploadu<typename Registers::Register>(values + i * Registers::step);
+      r.lanes.values[i] = Register::load(values + i * Registers::step);
     }
     return r;
   }
@@ -77,7 +196,7 @@ struct Packet {
     static_assert(W % (K * Registers::step) == 0, "each block fills whole registers");
     Packet r;
     for (int i = 0; i < W / Registers::step; ++i) {
-      r.lanes.values[i] = Eigen::internal::pset1<typename Registers::Register>(values[i * Registers::step * K / W]);
+      r.lanes.values[i] = Register(values[i * Registers::step * K / W]);
     }
     return r;
   }
@@ -98,7 +217,7 @@ struct Packet {
   }
   ZONAL_INLINE void store(T* values) const {
     for (int i = 0; i < W / Registers::step; ++i) {
-      Eigen::internal::pstoreu(values + i * Registers::step, lanes.values[i]);
+      lanes.values[i].store(values + i * Registers::step);
     }
   }
 
@@ -124,65 +243,67 @@ struct Packet {
   }
 
   ZONAL_INLINE friend Packet operator-(const Packet& a) {
-    return Packet(Registers::map([](const auto& x) ZONAL_INLINE { return Eigen::internal::pnegate(x); }, a.lanes));
+    return Packet(Registers::map([](const auto& x) ZONAL_INLINE { return -x; }, a.lanes));
   }
   ZONAL_INLINE friend Packet operator+(const Packet& a, const Packet& b) {
-    return Packet(Registers::map([](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::padd(x, y); },
-                                 a.lanes, b.lanes));
+    return Packet(Registers::map([](const auto& x, const auto& y) ZONAL_INLINE { return x + y; }, a.lanes, b.lanes));
   }
   ZONAL_INLINE friend Packet operator-(const Packet& a, const Packet& b) {
-    return Packet(Registers::map([](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::psub(x, y); },
-                                 a.lanes, b.lanes));
+    return Packet(Registers::map([](const auto& x, const auto& y) ZONAL_INLINE { return x - y; }, a.lanes, b.lanes));
   }
   ZONAL_INLINE friend Packet operator*(const Packet& a, const Packet& b) {
-    return Packet(Registers::map([](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pmul(x, y); },
-                                 a.lanes, b.lanes));
+    return Packet(Registers::map([](const auto& x, const auto& y) ZONAL_INLINE { return x * y; }, a.lanes, b.lanes));
   }
   ZONAL_INLINE friend Packet operator/(const Packet& a, const Packet& b) {
-    return Packet(Registers::map([](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pdiv(x, y); },
-                                 a.lanes, b.lanes));
+    return Packet(Registers::map([](const auto& x, const auto& y) ZONAL_INLINE { return x / y; }, a.lanes, b.lanes));
   }
   ZONAL_INLINE friend Packet minimum(const Packet& a, const Packet& b) {
-    return Packet(Registers::map([](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pmin(x, y); },
+    return Packet(Registers::map([](const auto& x, const auto& y)
+                                     ZONAL_INLINE { return Register(Math::least(x.vector(), y.vector())); },
                                  a.lanes, b.lanes));
   }
   ZONAL_INLINE friend Packet maximum(const Packet& a, const Packet& b) {
-    return Packet(Registers::map([](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pmax(x, y); },
+    return Packet(Registers::map([](const auto& x, const auto& y)
+                                     ZONAL_INLINE { return Register(Math::greatest(x.vector(), y.vector())); },
                                  a.lanes, b.lanes));
   }
   ZONAL_INLINE friend Packet abs(const Packet& a) {
-    return Packet(Registers::map([](const auto& x) ZONAL_INLINE { return Eigen::internal::pabs(x); }, a.lanes));
+    return Packet(Registers::map([](const auto& x) ZONAL_INLINE { return abs(x); }, a.lanes));
   }
   ZONAL_INLINE friend Packet sqrt(const Packet& a) {
-    return Packet(Registers::map([](const auto& x) ZONAL_INLINE { return Eigen::internal::psqrt(x); }, a.lanes));
+    return Packet(Registers::map([](const auto& x) ZONAL_INLINE { return Register(Math::root(x.vector())); }, a.lanes));
   }
 
   ZONAL_INLINE friend Mask operator<(const Packet& a, const Packet& b) {
-    return {Registers::map([](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pcmp_lt(x, y); },
-                           a.lanes, b.lanes)};
+    Mask mask;
+    for (int i = 0; i < W / Registers::step; ++i) mask.values[i] = a.lanes.values[i] < b.lanes.values[i];
+    return mask;
   }
   ZONAL_INLINE friend Mask operator<=(const Packet& a, const Packet& b) {
-    return {Registers::map([](const auto& x, const auto& y) ZONAL_INLINE { return Eigen::internal::pcmp_le(x, y); },
-                           a.lanes, b.lanes)};
+    Mask mask;
+    for (int i = 0; i < W / Registers::step; ++i) mask.values[i] = a.lanes.values[i] <= b.lanes.values[i];
+    return mask;
   }
   ZONAL_INLINE friend Mask operator>(const Packet& a, const Packet& b) { return b < a; }
   ZONAL_INLINE friend Mask operator>=(const Packet& a, const Packet& b) { return b <= a; }
 
   ZONAL_INLINE friend Packet select(const Mask& mask, const Packet& a, const Packet& b) {
     return Packet(Registers::map([](const auto& m, const auto& x, const auto& y)
-                                     ZONAL_INLINE { return Eigen::internal::pselect(m, x, y); },
-                                 mask.bits, a.lanes, b.lanes));
+                                     ZONAL_INLINE { return Register::select(m, x, y); },
+                                 mask, a.lanes, b.lanes));
   }
 };
 
 /// sum += a * b, where a and b may have several times the lanes: all of them are added up.
 template <class T, int W, int V>
 ZONAL_INLINE inline void add_product(Packet<T, W>& sum, const Packet<T, V>& a, const Packet<T, V>& b) {
+  using Register = typename Packet<T, W>::Register;
   constexpr int step = Packet<T, W>::Registers::step;
   static_assert(V % W == 0 && Packet<T, V>::Registers::step == step, "whole multiples, in registers of one size");
   for (int i = 0; i < V / step; ++i) {
     auto& target = sum.lanes.values[i % (W / step)];
-    target = Eigen::internal::pmadd(a.lanes.values[i], b.lanes.values[i], target);
+    target =
+        Register(Packet<T, W>::Math::fused(a.lanes.values[i].vector(), b.lanes.values[i].vector(), target.vector()));
   }
 }
 template <class T, int W>  // for the compiler, which has no preference between the above and the one of any scalar

@@ -14,7 +14,7 @@
 #include <glm/vec3.hpp>
 
 #include "../gather/receiver.hpp"
-#include "../material/material_table.hpp"
+#include "../material/material_rows.hpp"
 #include "../transform/rotate.hpp"
 
 namespace zonal {

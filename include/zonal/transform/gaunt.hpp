@@ -20,7 +20,7 @@
 #include "../basis/sh.hpp"
 #include "../basis/table.hpp"
 #include "../scalar/constexpr_math.hpp"
-#include "../scalar/quadrature.hpp"
+#include "../scalar/half_gauss_rule.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {

@@ -26,13 +26,14 @@ ZONAL_INLINE constexpr T window_factor(Window window, int degree, const T& width
   return select(is_within, at.cosine * (window == Window::hann ? at.cosine : at.sine / half), T(0));
 }
 
-constexpr double window_factor(Window window, int degree, int width) {
-  return window_factor(window, degree, static_cast<double>(width));
+template <class Width, std::enable_if_t<std::is_integral_v<Width>, int> = 0>
+constexpr double window_factor(Window window, int degree, Width width) {
+  return window_factor<double>(window, degree, static_cast<double>(width));
 }
 
 namespace detail {
-template <class C, class Degree>
-constexpr C scale_degrees(C coefficients, Window window, double width, Degree last_of_degree) {
+template <class C, class Width, class Degree>
+constexpr C scale_degrees(C coefficients, Window window, Width width, Degree last_of_degree) {
   for (int l = 0, i = 0; l < C::bands; ++l) {
     const double factor = window_factor(window, l, width);
     for (; i <= last_of_degree(l); ++i) {

@@ -1,0 +1,2 @@
+// zonal.hpp, nothing of it
+#include <zonal/zonal.hpp>

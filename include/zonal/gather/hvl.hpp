@@ -168,7 +168,7 @@ namespace detail {
 /// What a receiver's material makes of a cap of light: sum_l A_l / pi sum_m F_l^m Y_l^m, to reflected[channels].
 template <int N, class Material, class T, class Cap>
 ZONAL_INLINE inline void reflect(const Material& material, const ReceiverFrame<T>& receiver, const T (&direction)[3],
-                                 const T& cosine, const Cap& cap, T (&reflected)[channels_of<Material>]) {
+                                 const T& cosine, const Cap& cap, T (&reflected)[std::size_t{channels_of<Material>}]) {
   constexpr Symmetry symmetry = symmetry_of<Material>;
   constexpr int channels = channels_of<Material>;
   const auto for_each_value = [&](const auto& sink) ZONAL_INLINE {
@@ -176,9 +176,8 @@ ZONAL_INLINE inline void reflect(const Material& material, const ReceiverFrame<T
         dot3(direction, receiver.tangent),
         [&]() ZONAL_INLINE { return across(direction, receiver.normal, receiver.tangent); }, cosine, sink);
   };
-  const auto f = [&](int l, int m, int c) ZONAL_INLINE {
-    return T(channel_of(material.values[coefficient_index(symmetry, l, m)], c));
-  };
+  const auto f = [&](int l, int m, int c)
+                     ZONAL_INLINE { return T(channel_of(material.values[coefficient_index(symmetry, l, m)], c)); };
   for (T& sum : reflected) sum = T(0);
   if constexpr (symmetry == Symmetry::zonal) {
     T value[static_cast<std::size_t>(N)];
@@ -188,7 +187,7 @@ ZONAL_INLINE inline void reflect(const Material& material, const ReceiverFrame<T
       for (int c = 0; c < channels; ++c) reflected[c] = reflected[c] + weight * f(l, 0, c);
     });
   } else {  // one sum per degree and channel, then the cap's coefficient
-    T by_degree[channels][static_cast<std::size_t>(N)] = {};
+    T by_degree[static_cast<std::size_t>(channels)][static_cast<std::size_t>(N)] = {};
     for (auto& channel : by_degree) {
       for (T& sum : channel) sum = T(0);
     }
@@ -209,8 +208,8 @@ ZONAL_INLINE inline void reflect(const Material& material, const ReceiverFrame<T
 /// multiplies by. A receiver inside the sphere sees a hemisphere; one at its very centre sees nothing, for there is no
 /// direction to it.
 ///
-/// Where all lights are known to look no larger than a NarrowCap and to stand above the horizon, its kernel, without the
-/// horizon's factor, takes half the time.
+/// Where all lights are known to look no larger than a NarrowCap and to stand above the horizon, its kernel, without
+/// the horizon's factor, takes half the time.
 template <int N, int NE, Horizon method, template <class> class Cap = SphericalCap, class T, class Emission,
           class Material>
 ZONAL_INLINE inline void hvl_radiance(const HvlRecord<NE, T, Emission>& light, const ReceiverFrame<T>& receiver,
@@ -236,7 +235,7 @@ ZONAL_INLINE inline void hvl_radiance(const HvlRecord<NE, T, Emission>& light, c
       });
   const T geometry = cos_light * horizon<method>(cap, cos_receiver);
 
-  T reflected[detail::channels_of<Material>];
+  T reflected[std::size_t{detail::channels_of<Material>}];
   detail::reflect<N>(material, receiver, direction, cos_receiver, cap, reflected);
   for (int c = 0; c < 3; ++c) {
     radiance[c] = maximum(sent[c], T(0)) * geometry * reflected[detail::channels_of<Material> == 3 ? c : 0];

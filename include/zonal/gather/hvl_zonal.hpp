@@ -31,9 +31,9 @@ template <int N, class T>
 ZONAL_INLINE inline void hvl_zonal_radiance(const LightRecord<T>& light, const Brdf& glossy,
                                             const ReceiverFrame<T>& receiver, const ZonalReceiver<N, T>& material,
                                             T (&radiance)[3]) {
-  const auto [direction, distance] = look_at(light, receiver);
+  const auto [direction, distance, inverse] = look_at(light, receiver);
   const T cos_receiver = detail::dot3(direction, receiver.normal);
-  const auto cap = SphericalCap<T>::from_sphere(distance, light.radius);
+  const auto cap = SphericalCap<T>::from_sphere(distance, inverse, light.radius);
   T a[std::size_t{N}];  // A_l / pi
   detail::hemisphere_cap_sums<N>(cap, [&](auto l, const T& sum) ZONAL_INLINE { a[l] = sum; });
 

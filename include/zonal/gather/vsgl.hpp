@@ -78,13 +78,13 @@ struct IncomingGaussian {
 /// The light that comes in at x, [1] Eq. 7.
 template <class T>
 ZONAL_INLINE inline IncomingGaussian<T> incoming(const GaussianRecord<T>& light, const ReceiverFrame<T>& receiver) {
-  const auto [direction, apart] = look_at(light, receiver);
-  const T distance = minimum(apart, T(1e18L));  // its square is a number
+  const LightDirection<T> to_light = look_at(light, receiver);
+  const T distance = minimum(to_light.distance, T(1e18L));  // its square is a number
   const T distance2 = distance * distance;
   // A point is a very small Gaussian.
   const T variance = maximum(light.variance, maximum(T(1e-6L) * distance2, T(1e-18L)));
   const T back[3] = {-light.axis[0], -light.axis[1], -light.axis[2]};
-  const auto both = product(direction, distance2 / variance, back, light.sharpness);
+  const auto both = product(to_light.direction, distance2 / variance, back, light.sharpness);
   const T scale = exp(both.exponent) / (T(2 * kPi) * variance);
   IncomingGaussian<T> result;
   result.sharpness = both.sharpness;

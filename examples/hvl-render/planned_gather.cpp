@@ -76,7 +76,7 @@ std::unique_ptr<PlannedGatherer> make(const GatherInput& input) {
 
 PlanFigures& PlanFigures::operator+=(const PlanFigures& other) {
   hits += other.hits, groups += other.groups, checked += other.checked;
-  pairs += other.pairs, draws += other.draws, power += other.power, variance += other.variance;
+  pairs += other.pairs, magnitude += other.magnitude, power += other.power, variance += other.variance;
   checked_power += other.checked_power, checked_error += other.checked_error;
   checked_variance += other.checked_variance;
   return *this;

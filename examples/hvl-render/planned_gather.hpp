@@ -20,8 +20,9 @@ struct SceneNeeds {
 /// What a planned gather did, and how far it may be off. Sums over primary hits; radiance is RGB added up.
 struct PlanFigures {
   std::size_t hits = 0, groups = 0;
-  double pairs = 0;             // of hits and lights that were gathered
-  double draws = 0;             // lights put in place for it
+  double pairs = 0;  // of hits and lights that were gathered
+
+  double magnitude = 0;         // roots of the squares, at a glance
   double power = 0;             // squares of the radiance
   double variance = 0;          // squares of the deviation, at most, as the cuts prove
   std::size_t checked = 0;      // hits gathered in full as well

@@ -30,7 +30,9 @@ class PlannedHvl final : public PlannedGatherer {
         needs_(std::move(needs)),
         lights_(lit(input.map)),
         tree_(lights_, [](int count, const auto& body) { tbb::parallel_for(0, count, body); }) {
-    tolerance_.relative = static_cast<float>(input.options.tolerance);
+    for (std::size_t i = 0; i < input.materials.receiving.size(); ++i) one_colour_.push_back(one_colour(i));
+    // The rest is for what the glance is off by.
+    tolerance_.relative = 0.98f * static_cast<float>(input.options.tolerance);
     tolerance_.with_visibility = input.options.centre_visibility;
   }
 
@@ -59,11 +61,11 @@ class PlannedHvl final : public PlannedGatherer {
   struct Tiles {
     int width, height, side, across, down;
 
-    /// Some 1024 hits each: a cut then costs little, and is about as coarse as that of a smaller tile.
+    /// Some 4096 hits each: cuts then cost little, and are not much finer than those of smaller tiles.
     Tiles(int image_width, const PrimaryHits& hits)
         : width(image_width),
           height(hits.slice().rows),
-          side(std::max(4, static_cast<int>(32.0 / std::sqrt(static_cast<double>(hits.per_pixel()))) / 4 * 4)),
+          side(std::max(4, static_cast<int>(64.0 / std::sqrt(static_cast<double>(hits.per_pixel()))) / 4 * 4)),
           across((width + side - 1) / side),
           down((height + side - 1) / side) {}
 
@@ -83,11 +85,16 @@ class PlannedHvl final : public PlannedGatherer {
     const zonal::GroupedReceiver* receivers;
     int count;
   };
+  /// A material that looks the same from everywhere, in one colour: Lambert's.
+  struct OneColour {
+    zonal::Zh<N, float> coefficients;
+    glm::vec3 colour;
+  };
   /// What a thread works with.
   struct Scratch {
     std::vector<Place> places;
     std::vector<zonal::GroupedReceiver> receivers;
-    std::vector<zonal::HvlCache<NE>> draws;
+    std::vector<zonal::DrawnLights<NE>> draws;
     std::optional<zonal::LightCut<N, NE, H>> cut;
 
     const Place& place(const Group& group, int i) const {
@@ -136,64 +143,90 @@ class PlannedHvl final : public PlannedGatherer {
     }
   }
 
-  /// The root mean square of the radiance, by coarse cuts at some tiles.
+  /// The tolerance's typical radiance, by cuts at some of the tiles.
   float glance(const Tiles& tiles, const PrimaryHits& hits) {
-    constexpr int one_of = 7;
-    zonal::CutTolerance coarse = tolerance_;
-    coarse.relative = std::max(coarse.relative, 0.1f);
+    constexpr int one_of = 3;
     const PlanFigures figures = for_each_tile(tiles, one_of, [&](const Tile& tile, Scratch& scratch) {
       collect(tile, hits, scratch);
       return for_each_group(scratch, [&](const Group& group) {
-        find_cut(group, coarse, scratch);
+        find_cut(group, tolerance_, scratch);
         PlanFigures seen;
         seen.hits = static_cast<std::size_t>(group.count);
-        seen.power = scratch.cut->power() * group.count;
+        seen.magnitude = std::sqrt(scratch.cut->power()) * group.count;
+        draw(group, 1, scratch);
+        for (int i = 0; i < zonal::cut_receivers; ++i) {
+          const glm::vec3 radiance = gather(scratch.draws[0], *chosen(group, i, scratch).hit);
+          seen.power += power_of(radiance) * group.count / zonal::cut_receivers;
+        }
         return seen;
       });
     });
-    return figures.hits > 0 ? static_cast<float>(std::sqrt(figures.power / static_cast<double>(figures.hits))) : 0.0f;
+    return figures.magnitude > 0.0 ? static_cast<float>(figures.power / figures.magnitude) : 0.0f;
   }
 
   std::uint64_t seed_of(const Group& group, const Scratch& scratch) const {
     return hash64(input_.options.seed ^ hash64(scratch.place(group, 0).sample));
   }
 
-  void find_cut(const Group& group, const zonal::CutTolerance& tolerance, Scratch& scratch) const {
-    constexpr int count = zonal::cut_receivers;
+  /// One of those that stand for the group.
+  const Place& chosen(const Group& group, int i, const Scratch& scratch) const {
     const std::uint64_t seed = seed_of(group, scratch);
-    zonal::BoundedReceiver<N, float> chosen[count];
-    for (int i = 0; i < count; ++i) {
-      const double part = (i + zonal::detail::scatter(seed, static_cast<std::uint64_t>(i))) / count;
-      const int index = std::min(static_cast<int>(part * group.count), group.count - 1);
-      chosen[i] = bounded(*scratch.place(group, index).hit);
-    }
+    const double part = (i + zonal::detail::scatter(seed, static_cast<std::uint64_t>(i))) / zonal::cut_receivers;
+    return scratch.place(group, std::min(static_cast<int>(part * group.count), group.count - 1));
+  }
+
+  void find_cut(const Group& group, const zonal::CutTolerance& tolerance, Scratch& scratch) const {
+    zonal::BoundedReceiver<N, float> receivers[zonal::cut_receivers];
+    for (int i = 0; i < zonal::cut_receivers; ++i) receivers[i] = bounded(*chosen(group, i, scratch).hit);
     if (!scratch.cut) scratch.cut.emplace(tree_.tree());
-    scratch.cut->find(zonal::as_packet(chosen), tolerance);
+    scratch.cut->find(zonal::as_packet(receivers), tolerance);
+  }
+
+  void draw(const Group& group, int draws, Scratch& scratch) const {
+    scratch.draws.resize(static_cast<std::size_t>(draws));
+    zonal::ReceiverBox box;
+    for (int i = 0; i < group.count; ++i) box.add(group.receivers[i].position, group.receivers[i].normal);
+    tree_.draw(*scratch.cut, box, seed_of(group, scratch), scratch.draws);
   }
 
   PlanFigures add_group(Image& image, const PrimaryHits& hits, const Group& group, Scratch& scratch) const {
     const zonal::LightCut<N, NE, H>& cut = *scratch.cut;
-    constexpr int most_draws = 16, hits_of_a_draw = 12;
+    constexpr int most_draws = 8, hits_of_a_draw = 12;
     const int draws = std::clamp(group.count / hits_of_a_draw, 1, most_draws);
-    scratch.draws.resize(static_cast<std::size_t>(draws));
-    tree_.draw(cut, seed_of(group, scratch), scratch.draws);
+    draw(group, draws, scratch);
 
     PlanFigures figures;
     figures.hits = static_cast<std::size_t>(group.count), figures.groups = 1;
     figures.variance = cut.variance() * group.count;
-    figures.pairs = static_cast<double>(cut.size()) * group.count;
-    figures.draws = static_cast<double>(cut.size()) * draws;
-    for (std::uint32_t draw = 0; draw < static_cast<std::uint32_t>(draws); ++draw) {
+    for (const auto& drawn : scratch.draws) figures.pairs += static_cast<double>(drawn.size()) * group.count / draws;
+    for (std::uint32_t number = 0; number < static_cast<std::uint32_t>(draws); ++number) {
       for (int i = 0; i < group.count; ++i) {
         const Place& place = scratch.place(group, i);
-        if (place.pattern % static_cast<std::uint32_t>(draws) != draw) continue;
-        const glm::vec3 radiance = gather(scratch.draws[draw], *place.hit);
+        if (place.pattern % static_cast<std::uint32_t>(draws) != number) continue;
+        const glm::vec3 radiance = gather(scratch.draws[number], *place.hit);
         image.pixels[place.pixel] += radiance / static_cast<float>(hits.per_pixel());
         figures.power += power_of(radiance);
         if (is_checked(place.sample)) check(figures, radiance, gather(lights_, *place.hit), cut.variance());
       }
     }
     return figures;
+  }
+
+  std::optional<OneColour> one_colour(std::size_t material) const {
+    const zonal::MaterialTable& table = input_.materials.receiving[material];
+    if (needs_.symmetry[material] != zonal::Symmetry::zonal || table.angles() > 1 ||
+        input_.materials.parts.count(static_cast<std::uint32_t>(material)) > 0) {
+      return std::nullopt;
+    }
+    const auto colours = about_axis(table.template with_cosine<N>(1.0f));
+    OneColour result{{}, colours[0]};
+    for (int l = 0; l < N; ++l) {
+      result.coefficients[l] =
+          glm::dot(colours[l], result.colour) / std::max(glm::dot(result.colour, result.colour), 1e-30f);
+      const glm::vec3 difference = colours[l] - result.coefficients[l] * result.colour;
+      if (glm::length(difference) > 1e-6f * glm::length(result.colour)) return std::nullopt;
+    }
+    return result;
   }
 
   zonal::BoundedReceiver<N, float> bounded(const Hit& hit) const {
@@ -208,15 +241,23 @@ class PlannedHvl final : public PlannedGatherer {
     return {hit.position, hit.normal, towards_camera(input_.scene, hit), hit.tangent};
   }
 
-  glm::vec3 gather(const zonal::HvlCache<NE>& cache, const Hit& hit) const {
+  /// From the cache of all lights, or from those drawn.
+  template <class Lights>
+  glm::vec3 gather(const Lights& lights, const Hit& hit) const {
     const CentreRay ray{input_.caster, hit};
     const zonal::Visibility visible = input_.options.centre_visibility ? zonal::Visibility(ray) : zonal::Visibility();
-    if (needs_.symmetry[hit.material] == zonal::Symmetry::zonal) {
-      const zonal::Receiver receiver = receiver_at(hit);
-      return zonal::gather<N, NE, H>(cache, receiver, about_axis(coefficients_at<N>(input_.materials, hit, receiver)),
-                                     visible);
+    const zonal::Receiver receiver = receiver_at(hit);
+    if (const auto& anisotropic = input_.materials.anisotropic[hit.material]) {
+      return zonal::gather<N, NE, H>(lights, receiver, *anisotropic, visible);
     }
-    return gather_at<N, NE, H>(input_.materials, cache, receiver_at(hit), hit, visible);
+    if (const auto& material = one_colour_[hit.material]) {
+      return material->colour * zonal::gather<N, NE, H>(lights, receiver, material->coefficients, visible);
+    }
+    const auto coefficients = coefficients_at<N>(input_.materials, hit, receiver);
+    if (needs_.symmetry[hit.material] == zonal::Symmetry::mirror) {
+      return zonal::gather<N, NE, H>(lights, receiver, coefficients, visible);
+    }
+    return zonal::gather<N, NE, H>(lights, receiver, about_axis(coefficients), visible);
   }
 
   static double power_of(const glm::vec3& radiance) { return glm::dot(glm::dvec3(radiance), glm::dvec3(radiance)); }
@@ -233,6 +274,7 @@ class PlannedHvl final : public PlannedGatherer {
 
   GatherInput input_;
   SceneNeeds needs_;
+  std::vector<std::optional<OneColour>> one_colour_;  // of each material
   zonal::CutTolerance tolerance_;
   zonal::HvlCache<NE> lights_;
   zonal::HvlTree<NE> tree_;

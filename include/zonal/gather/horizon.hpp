@@ -50,8 +50,8 @@ ZONAL_INLINE constexpr T horizon_exact(const SphericalCap<T>& cap, const T& cos_
 }
 
 /// H by the method chosen at compile time.
-template <Horizon method, template <class> class Cap, class T>
-ZONAL_INLINE constexpr T horizon(const Cap<T>& cap, const T& cos_angle) {
+template <Horizon method, class T>
+ZONAL_INLINE constexpr T horizon(const SphericalCap<T>& cap, const T& cos_angle) {
   if constexpr (method == Horizon::smoothstep) return horizon_smoothstep(cap, cos_angle);
   if constexpr (method == Horizon::exact) return horizon_exact(cap, cos_angle);
   return T(1);

@@ -74,15 +74,6 @@ ZONAL_INLINE inline void evaluate_of(const T& x, const Y& y, const T& z, const S
   }
 }
 
-template <template <class> class Cap, class T>
-ZONAL_INLINE inline Cap<T> cap_of(const LightDirection<T>& light, const T& radius) {
-  if constexpr (std::is_same_v<Cap<T>, NarrowCap<T>>) {
-    return NarrowCap<T>::from_sphere(light.inverse, radius);
-  } else {
-    return SphericalCap<T>::from_sphere(light.distance, radius);
-  }
-}
-
 /// Coefficients are colours, or numbers where the material has one colour, which its caller multiplies by.
 template <class Coefficients>
 inline constexpr int channels_of = std::is_arithmetic_v<std::decay_t<decltype(Coefficients::values[0])>> ? 1 : 3;
@@ -166,9 +157,10 @@ ZONAL_INLINE inline HvlRecord<NE, T, Emission> scaled(HvlRecord<NE, T, Emission>
 namespace detail {
 
 /// What a receiver's material makes of a cap of light: sum_l A_l / pi sum_m F_l^m Y_l^m, to reflected[channels].
-template <int N, class Material, class T, class Cap>
+template <int N, class Material, class T>
 ZONAL_INLINE inline void reflect(const Material& material, const ReceiverFrame<T>& receiver, const T (&direction)[3],
-                                 const T& cosine, const Cap& cap, T (&reflected)[std::size_t{channels_of<Material>}]) {
+                                 const T& cosine, const SphericalCap<T>& cap,
+                                 T (&reflected)[std::size_t{channels_of<Material>}]) {
   constexpr Symmetry symmetry = symmetry_of<Material>;
   constexpr int channels = channels_of<Material>;
   const auto for_each_value = [&](const auto& sink) ZONAL_INLINE {
@@ -207,11 +199,7 @@ ZONAL_INLINE inline void reflect(const Material& material, const ReceiverFrame<T
 /// is the same all about the normal; or numbers instead of colours, of a material of one colour that the caller
 /// multiplies by. A receiver inside the sphere sees a hemisphere; one at its very centre sees nothing, for there is no
 /// direction to it.
-///
-/// Where all lights are known to look no larger than a NarrowCap and to stand above the horizon, its kernel, without
-/// the horizon's factor, takes half the time.
-template <int N, int NE, Horizon method, template <class> class Cap = SphericalCap, class T, class Emission,
-          class Material>
+template <int N, int NE, Horizon method, class T, class Emission, class Material>
 ZONAL_INLINE inline void hvl_radiance(const HvlRecord<NE, T, Emission>& light, const ReceiverFrame<T>& receiver,
                                       const Material& material, T (&radiance)[3]) {
   static_assert(Material::bands == N, "the material's coefficients are those of N bands");
@@ -220,7 +208,7 @@ ZONAL_INLINE inline void hvl_radiance(const HvlRecord<NE, T, Emission>& light, c
   const auto& direction = to_light.direction;
   const T cos_receiver = detail::dot3(direction, receiver.normal);
   const T cos_light = maximum(T(0), -detail::dot3(direction, light.normal));
-  const auto cap = detail::cap_of<Cap>(to_light, light.radius);
+  const auto cap = SphericalCap<T>::from_sphere(to_light.distance, to_light.inverse, light.radius);
 
   // What it sends towards the receiver; a band-limited emission that rings below zero sends nothing.
   T sent[3] = {T(0), T(0), T(0)};
@@ -346,11 +334,11 @@ namespace detail {
 /// The sum over some lights of a receiver whose coefficients F, in the frame given, are known. Only few kinds of lights
 /// and coefficients meet, EvenSh with those of isotropic materials and Sh with WithoutSymmetry: where one side has no
 /// symmetry, the other is taken without it too, for a kernel takes long to compile. That of Zh does not.
-template <int N, int NE, Horizon method, template <class> class Cap = SphericalCap, class Lights, class Material>
+template <int N, int NE, Horizon method, class Lights, class Material>
 glm::vec3 gather_from(const Lights& lights, const ReceiverFrame<typename Lights::Lanes>& frame,
                       const Material& coefficients, const Visibility& visible) {
   return sum_packets(lights, visible, [&](const auto& light, auto& rgb) ZONAL_INLINE {
-    hvl_radiance<N, NE, method, Cap>(light, frame, coefficients, rgb);
+    hvl_radiance<N, NE, method>(light, frame, coefficients, rgb);
   });
 }
 

@@ -4,8 +4,8 @@
 // receiver is an SG of sharpness 2 about its normal, a glossy lobe an anisotropic SG (ASG) [2] about the mirror
 // direction. The products are integrated in closed form. Anisotropic materials are taken for isotropic ones.
 //
-// That is the method of 2015. By the formulas of 2024 a diffuse receiver is the clamped cosine itself [3, section 4], and
-// a glossy lobe is filtered by the light [3, section 5], material/ggx_gaussian.hpp. It takes 1.6 times as long of a
+// That is the method of 2015. By the formulas of 2024 a diffuse receiver is the clamped cosine itself [3, section 4],
+// and a glossy lobe is filtered by the light [3, section 5], material/ggx_gaussian.hpp. It takes 1.6 times as long of a
 // diffuse receiver, 2.5 of a glossy one.
 //
 // [1] Y. Tokuyoshi, Fast Indirect Illumination Using Two Virtual Spherical Gaussians, SIGGRAPH Asia 2015 Posters,

@@ -57,39 +57,7 @@ struct SphericalCap {
   }
 };
 
-/// A cap that covers little: sin a up to NarrowCap::widest, so that it takes neither root nor division.
-template <class T>
-struct NarrowCap {
-  static constexpr float widest = 0.1F;
-  T sin2;  // sin^2 a
-
-  /// From a sphere, by the distance's reciprocal.
-  ZONAL_INLINE static constexpr NarrowCap from_sphere(const T& inverse_distance, const T& radius) {
-    const T sin_angle = radius * inverse_distance;
-    return {sin_angle * sin_angle};
-  }
-};
-
 namespace detail {
-// sin^2 a and 1 - cos a, for cos a >= 0.
-template <class T>
-ZONAL_INLINE constexpr T sine2_of(const SphericalCap<T>& cap) {
-  return cap.sin_angle * cap.sin_angle;
-}
-template <class T>
-ZONAL_INLINE constexpr T versine_of(const SphericalCap<T>& cap, const T& sin2) {
-  return sin2 / (T(1) + cap.cos_angle);
-}
-template <class T>
-ZONAL_INLINE constexpr T sine2_of(const NarrowCap<T>& cap) {
-  return cap.sin2;
-}
-// 1 - sqrt(1 - s), less than 1e-9 of it off: the next term is 7/256 s^5.
-template <class T>
-ZONAL_INLINE constexpr T versine_of(const NarrowCap<T>&, const T& s) {
-  return s * (T(0.5L) + s * (T(0.125L) + s * (T(0.0625L) + s * T(0.0390625L))));
-}
-
 // 1 - |cos a|, from the sine where the cosine is near 1.
 template <class T>
 ZONAL_INLINE constexpr T versine(const SphericalCap<T>& cap) {
@@ -142,11 +110,11 @@ ZONAL_INLINE constexpr void cap_sums(const SphericalCap<T>& cap, Sink&& sink) {
   });
 }
 
-// The same for cos a >= 0, without a choice: e_l itself is summed. Of either kind of cap.
-template <int N, template <class> class Cap, class T, class Sink>
-ZONAL_INLINE constexpr void hemisphere_cap_sums(const Cap<T>& cap, Sink&& sink) {
-  const T sin2 = sine2_of(cap);
-  const T t = versine_of(cap, sin2);
+// The same for cos a >= 0, without a choice: e_l itself is summed.
+template <int N, class T, class Sink>
+ZONAL_INLINE constexpr void hemisphere_cap_sums(const SphericalCap<T>& cap, Sink&& sink) {
+  const T sin2 = cap.sin_angle * cap.sin_angle;
+  const T t = sin2 / (T(1) + cap.cos_angle);
   sink(Index<0>{}, t + t);
   T e = sin2, d = T(0);
   unroll<1, N>([&](auto l) ZONAL_INLINE {

@@ -6,6 +6,7 @@
 
 #include "../gather/hvl.hpp"
 #include "../transform/rotate.hpp"
+#include "drawn_lights.hpp"
 #include "light_cut.hpp"
 
 namespace zonal {
@@ -75,10 +76,11 @@ class HvlTree {
            anisotropic_.size() * sizeof(AnisotropicRecord);
   }
 
-  /// Lights for `gather` in place of all, as many draws of a cut of this tree as `draws` has caches: see
-  /// LightCut::draw.
+  /// Lights in place of all, as many draws of a cut of this tree as `draws` has: see LightCut::draw; for receivers
+  /// within the box.
   template <int N, Horizon method>
-  void draw(const LightCut<N, NE, method>& cut, std::uint64_t seed, std::vector<HvlCache<NE>>& draws) const {
+  void draw(const LightCut<N, NE, method>& cut, const ReceiverBox& receivers, std::uint64_t seed,
+            std::vector<DrawnLights<NE>>& draws) const {
     // The records lie anywhere: each is fetched while others are put in their place.
     struct Drawn {
       int draw, place;
@@ -87,8 +89,18 @@ class HvlTree {
     constexpr int ahead = 32;
     Drawn waiting[ahead];
     int count = 0;
-    const auto put = [&](const Drawn& drawn) { append(drawn.place, drawn.factor, draws[std::size_t(drawn.draw)]); };
-    for (HvlCache<NE>& cache : draws) cache.clear();
+    const auto put = [&](const Drawn& drawn) {
+      const auto append = [&](const auto& record) {
+        draws[std::size_t(drawn.draw)].append(scaled(record, drawn.factor), receivers, method != Horizon::none);
+      };
+      const int r = rank(drawn.place);
+      if (r >= 0) {
+        append(isotropic_[std::size_t(r)]);
+      } else {
+        append(anisotropic_[std::size_t(~r)]);
+      }
+    };
+    for (DrawnLights<NE>& lights : draws) lights.reset();
     cut.draw(int(draws.size()), seed, [&](int draw, int place, float factor) {
       Drawn& next = waiting[count % ahead];
       if (count >= ahead) put(next);
@@ -101,15 +113,6 @@ class HvlTree {
 
  private:
   int rank(int place) const { return ranks_.empty() ? place : ranks_[std::size_t(place)]; }
-
-  void append(int place, float factor, HvlCache<NE>& to) const {
-    const int r = rank(place);
-    if (r >= 0) {
-      to.append(scaled(isotropic_[std::size_t(r)], factor));
-    } else {
-      to.append(scaled(anisotropic_[std::size_t(~r)], factor));
-    }
-  }
 
   void prefetch([[maybe_unused]] int place) const {
 #if defined(__GNUC__)

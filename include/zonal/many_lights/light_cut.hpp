@@ -54,9 +54,9 @@ inline double scatter(std::uint64_t a, std::uint64_t b) {
 struct CutTolerance {
   /// The root mean square error of all receivers, of the root mean square of their radiance: 0.01 is 1 %.
   float relative = 0.01F;
-  /// That root mean square over all that is rendered, RGB together, if it is known: dark places may then err by
-  /// somewhat more and bright ones by less, as the square root of their share of it, which costs least. 0: each cut
-  /// errs alike.
+  /// Of all receivers of all cuts: the mean square of the radiance over the mean of its root, RGB together, if they are
+  /// known. Dark places may then err by somewhat more and bright ones by less, as the root of their share of the light,
+  /// which costs least. 0: each cut errs alike.
   float typical_radiance = 0;
   /// Are lights hidden from receivers, which nothing is known of beforehand? Then a cluster may send anything between
   /// nothing and all, and the bound holds with visibility too.
@@ -131,7 +131,7 @@ class LightCut {
 
   bool is_fine(const CutTolerance& tolerance) const {
     if (unknown_ > 0) return false;
-    // Over all cuts sqrt(P Q), Q the mean of P, adds up to no more than P (Cauchy and Schwarz).
+    // sqrt(P) typical, over all receivers, adds up to the sum of P.
     const double p = power(), typical = double(tolerance.typical_radiance);
     const double share = typical > 0 ? std::sqrt(p) * typical : p;
     return variance_ <= double(tolerance.relative) * double(tolerance.relative) * share * cut_receivers;

@@ -50,14 +50,21 @@ inline float greatest_dot(const Box3& a, const Box3& b) {
 
 }  // namespace detail
 
-/// Can a sphere light of this place, normal and radius send anything to any of the receivers? false is certain, up to
-/// rounding: it faces away from all of them, or stands below the horizon of each.
-inline bool may_shine_on(const ReceiverBox& receivers, const glm::vec3& position, const glm::vec3& normal, float radius,
-                         bool cuts_at_horizon) {
-  if (!(detail::greatest_dot(receivers.positions, normal) > glm::dot(position, normal))) return false;
-  if (!cuts_at_horizon) return true;
+/// How a sphere light stands to all of some receivers.
+enum class Standing {
+  dark,    // it faces away from each, or is below the horizon of each: it adds exactly nothing, up to rounding
+  clear,   // it is above the horizon of each, wholly
+  across,  // neither is sure
+};
+
+inline Standing standing_of(const ReceiverBox& receivers, const glm::vec3& position, const glm::vec3& normal,
+                            float radius, bool cuts_at_horizon) {
+  if (!(detail::greatest_dot(receivers.positions, normal) > glm::dot(position, normal))) return Standing::dark;
+  if (!cuts_at_horizon) return Standing::clear;
   const Box3 to_light{position - receivers.positions.high, position - receivers.positions.low};
-  return detail::greatest_dot(receivers.normals, to_light) > -radius;
+  if (!(detail::greatest_dot(receivers.normals, to_light) > -radius)) return Standing::dark;
+  const Box3 from_light{-to_light.high, -to_light.low};
+  return -detail::greatest_dot(receivers.normals, from_light) > radius ? Standing::clear : Standing::across;
 }
 
 /// A receiver and its number.

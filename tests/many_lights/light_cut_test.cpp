@@ -63,8 +63,8 @@ struct Scene {
     packet = zonal::as_packet(bounded);
   }
   template <class Lights>
-  glm::dvec3 gather(const Lights& lights, std::size_t i) const {
-    return glm::dvec3(zonal::gather<5, 3, rule>(lights, receivers[i], coefficients[i]));
+  glm::dvec3 gather(const Lights& from, std::size_t i) const {
+    return glm::dvec3(zonal::gather<5, 3, rule>(from, receivers[i], coefficients[i]));
   }
 };
 
@@ -203,6 +203,27 @@ TEST_CASE("light cut: is the same however often and in which order it was found,
   fresh.draw(3, 7, [&](int, int place, float factor) { a.emplace_back(place, factor); });
   used.draw(3, 7, [&](int, int place, float factor) { b.emplace_back(place, factor); });
   CHECK(a == b);
+}
+
+TEST_CASE("drawn lights: a material of one colour is gathered as a number, times the colour") {
+  const Scene scene(29, 300);
+  zonal::DrawnLights<3> lights;
+  for (int i = 0; i < 300; ++i) lights.append(scene.lights.isotropic().record(i), scene.box, true);
+  REQUIRE(lights.clear.size() > 20);
+  REQUIRE(lights.across.size() > 20);
+  const glm::vec3 colour(0.8F, 0.2F, 0.1F);
+  for (const zonal::Receiver& receiver : scene.receivers) {
+    const auto red = about_axis(reflected_by<5>(materials().red, receiver));
+    zonal::Zh<5, float> number;
+    for (int l = 0; l < 5; ++l) number[l] = red[l].x / colour.x;
+    const glm::vec3 one = colour * zonal::gather<5, 3, rule>(lights, receiver, number);
+    const glm::vec3 three = zonal::gather<5, 3, rule>(lights, receiver, red);
+    const glm::vec3 all = zonal::gather<5, 3, rule>(scene.lights, receiver, reflected_by<5>(materials().red, receiver));
+    for (int c = 0; c < 3; ++c) {
+      CHECK(std::abs(one[c] - three[c]) <= 2e-6F * three[c]);
+      CHECK(std::abs(three[c] - all[c]) <= 5e-6F * all[c]);
+    }
+  }
 }
 
 TEST_CASE("light tree: a light replaced is drawn as the new one, and the bounds hold on") {

@@ -5,6 +5,6 @@ namespace example::hvl_render {
 
 template std::unique_ptr<Gatherer> make_hvl<zonal::Horizon::smoothstep>(const GatherInput& input);
 template std::unique_ptr<PlannedGatherer> make_planned_hvl<zonal::Horizon::smoothstep>(const GatherInput& input,
-                                                                                       const SceneNeeds& needs);
+                                                                                       const ScenePlan& plan);
 
 }  // namespace example::hvl_render

@@ -77,11 +77,14 @@ void prepare_lights(Renderers& renderers, Report& report) {
     renderers.map = shoot_virtual_lights(renderers.scene, renderers.caster, renderers.tables, options);
     const GatherInput input{renderers.scene, renderers.caster, renderers.tables, renderers.map, options};
     if (options.is_planned()) {
-      renderers.planned = make_planned(input);
+      report.scene_plan = report.times.time(stage_name::plan, [&] { return plan_scene(renderers.tables, options); });
+      renderers.planned = make_planned(input, *report.scene_plan);
+      report.light_bytes = renderers.planned->bytes();
     } else {
       renderers.gatherer = make_gatherer(input);
     }
   });
+  for (const Material& material : renderers.scene.materials) report.material_names.push_back(material.name);
   report.counts.map_lights = renderers.map.lights.size();
   report.counts.virtual_lights =
       static_cast<std::size_t>(std::count_if(renderers.map.lights.begin(), renderers.map.lights.end(), is_lit));

@@ -158,6 +158,20 @@ void add_path_options(CLI::App& app, Options& options) {
       ->group(group);
 }
 
+/// What speaks of a plan wants one; its errors are measured where it is to be explained.
+void check_plan(const CLI::App& app, Options& options) {
+  for (const char* option : {"--check", "--explain"}) {
+    if (app.count(option) > 0 && !options.is_planned())
+      throw InputError(std::string(option) + " means nothing without --tolerance");
+  }
+  constexpr float explained_hits = 500.0f;
+  if (options.explain && app.count("--check") == 0) {
+    options.checked_share =
+        std::min(1.0f, explained_hits / (static_cast<float>(options.width) * static_cast<float>(options.height) *
+                                         static_cast<float>(options.antialias * options.antialias)));
+  }
+}
+
 /// Options of one method are refused beside another; those that several have, such as --lights, are not.
 void check_methods(const CLI::App& app, const Options& options) {
   using Methods = std::vector<Method>;
@@ -224,6 +238,7 @@ CommandLine<Options> parse_command_line(int argc, char** argv) {
   if (!line.exit_status) {
     check_methods(app, line.options);
     check_bands(line.options);
+    check_plan(app, line.options);
     check_map(line.options);
   }
   return line;

@@ -2,38 +2,37 @@
 
 #include <cstddef>
 #include <memory>
-#include <vector>
-
-#include <zonal/basis/symmetry.hpp>
 
 #include "gatherer.hpp"
+#include "scene_plan.hpp"
 #include "shared/primary_hits.hpp"
 
 namespace example::hvl_render {
 
-/// What the materials of a scene ask for.
-struct SceneNeeds {
-  std::vector<zonal::Symmetry> symmetry;  // of each as a receiver
-  int emission_bands = 1;                 // of all as lights
-};
-
 /// What a planned gather did, and how far it may be off. Sums over primary hits; radiance is RGB added up.
 struct PlanFigures {
   std::size_t hits = 0, groups = 0;
-  double pairs = 0;  // of hits and lights that were gathered
-
-  double magnitude = 0;         // roots of the squares, at a glance
-  double power = 0;             // squares of the radiance
-  double variance = 0;          // squares of the deviation, at most, as the cuts prove
-  std::size_t checked = 0;      // hits gathered in full as well
-  double checked_power = 0;     // the squares of what these are,
-  double checked_error = 0;     // and of the difference
-  double checked_variance = 0;  // what was proved of them
+  double pairs = 0;            // of hits and lights that were gathered
+  double cut_lights = 0;       // of hits and lights that the cuts ask for, with those that turn out to be dark
+  double magnitude = 0;        // roots of the squares of radiance, at a glance
+  double power = 0;            // squares of the radiance
+  double variance = 0;         // squares of the deviation, at most, as the cuts prove
+  std::size_t checked = 0;     // hits gathered in full as well,
+  double checked_seconds = 0;  // in this processor time;
+  double checked_power = 0;    // the squares of what these are,
+  double checked_error = 0;    // and of the difference
 
   PlanFigures& operator+=(const PlanFigures& other);
   /// Root mean squares relative to that of the radiance: as proved, and as measured.
   double proved_error() const;
   double measured_error() const;
+  /// Processor time that all hits would take in full.
+  double full_seconds() const;
+};
+
+/// Bytes that lights take: as planned, with the tree, and for the full gather.
+struct LightBytes {
+  std::size_t planned = 0, full = 0;
 };
 
 /// Gathers blocks of pixels within a tolerance.
@@ -49,11 +48,10 @@ class PlannedGatherer {
 
   /// Of all slices so far.
   virtual PlanFigures figures() const = 0;
-  /// Bytes that lights, and what is known of them, take; and by the full gather.
-  virtual std::size_t bytes() const = 0;
+  virtual LightBytes bytes() const = 0;
 };
 
 /// By the options' tolerance, for harmonics virtual lights.
-std::unique_ptr<PlannedGatherer> make_planned(const GatherInput& input);
+std::unique_ptr<PlannedGatherer> make_planned(const GatherInput& input, const ScenePlan& plan);
 
 }  // namespace example::hvl_render

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -25,14 +26,14 @@ namespace example::hvl_render {
 template <int N, int NE, zonal::Horizon H>
 class PlannedHvl final : public PlannedGatherer {
  public:
-  PlannedHvl(const GatherInput& input, SceneNeeds needs)
-      : input_(input),
-        needs_(std::move(needs)),
-        lights_(lit(input.map)),
-        tree_(lights_, [](int count, const auto& body) { tbb::parallel_for(0, count, body); }) {
+  PlannedHvl(const GatherInput& input, const ScenePlan& plan) : input_(input) {
+    zonal::HvlCache<NE> lights(lit(input.map));
+    tree_ = zonal::HvlTree<NE>(lights, [](int count, const auto& body) { tbb::parallel_for(0, count, body); });
+    if (input.options.checked_share > 0.0f) lights_ = std::move(lights);
+    for (const MaterialNeeds& material : plan.materials) symmetry_.push_back(material.receiving.symmetry);
     for (std::size_t i = 0; i < input.materials.receiving.size(); ++i) one_colour_.push_back(one_colour(i));
     // The rest is for what the glance is off by.
-    tolerance_.relative = 0.98f * static_cast<float>(input.options.tolerance);
+    tolerance_.relative = 0.95f * static_cast<float>(input.options.tolerance);
     tolerance_.with_visibility = input.options.centre_visibility;
   }
 
@@ -51,7 +52,11 @@ class PlannedHvl final : public PlannedGatherer {
   }
 
   PlanFigures figures() const override { return figures_; }
-  std::size_t bytes() const override { return tree_.bytes(); }
+  LightBytes bytes() const override {
+    const auto full =
+        static_cast<std::size_t>(zonal::EvenEmission::size(input_.options.emission_bands)) * 3 + 10;  // numbers
+    return {tree_.bytes(), static_cast<std::size_t>(tree_.size()) * full * sizeof(float)};
+  }
 
  private:
   /// Pixels of the slice.
@@ -198,6 +203,7 @@ class PlannedHvl final : public PlannedGatherer {
     PlanFigures figures;
     figures.hits = static_cast<std::size_t>(group.count), figures.groups = 1;
     figures.variance = cut.variance() * group.count;
+    figures.cut_lights = static_cast<double>(cut.size()) * group.count;
     for (const auto& drawn : scratch.draws) figures.pairs += static_cast<double>(drawn.size()) * group.count / draws;
     for (std::uint32_t number = 0; number < static_cast<std::uint32_t>(draws); ++number) {
       for (int i = 0; i < group.count; ++i) {
@@ -206,7 +212,7 @@ class PlannedHvl final : public PlannedGatherer {
         const glm::vec3 radiance = gather(scratch.draws[number], *place.hit);
         image.pixels[place.pixel] += radiance / static_cast<float>(hits.per_pixel());
         figures.power += power_of(radiance);
-        if (is_checked(place.sample)) check(figures, radiance, gather(lights_, *place.hit), cut.variance());
+        if (is_checked(place.sample)) check(figures, radiance, *place.hit);
       }
     }
     return figures;
@@ -214,7 +220,7 @@ class PlannedHvl final : public PlannedGatherer {
 
   std::optional<OneColour> one_colour(std::size_t material) const {
     const zonal::MaterialTable& table = input_.materials.receiving[material];
-    if (needs_.symmetry[material] != zonal::Symmetry::zonal || table.angles() > 1 ||
+    if (symmetry_[material] != zonal::Symmetry::zonal || table.angles() > 1 ||
         input_.materials.parts.count(static_cast<std::uint32_t>(material)) > 0) {
       return std::nullopt;
     }
@@ -254,7 +260,7 @@ class PlannedHvl final : public PlannedGatherer {
       return material->colour * zonal::gather<N, NE, H>(lights, receiver, material->coefficients, visible);
     }
     const auto coefficients = coefficients_at<N>(input_.materials, hit, receiver);
-    if (needs_.symmetry[hit.material] == zonal::Symmetry::mirror) {
+    if (symmetry_[hit.material] == zonal::Symmetry::mirror) {
       return zonal::gather<N, NE, H>(lights, receiver, coefficients, visible);
     }
     return zonal::gather<N, NE, H>(lights, receiver, about_axis(coefficients), visible);
@@ -265,18 +271,21 @@ class PlannedHvl final : public PlannedGatherer {
   bool is_checked(std::size_t sample) const {
     return unit_float(static_cast<std::uint32_t>(hash64(sample) >> 32)) < input_.options.checked_share;
   }
-  static void check(PlanFigures& figures, const glm::vec3& radiance, const glm::vec3& full, double variance) {
+  void check(PlanFigures& figures, const glm::vec3& radiance, const Hit& hit) const {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    const glm::vec3 full = gather(lights_, hit);
+    figures.checked_seconds += std::chrono::duration<double>(Clock::now() - start).count();
     ++figures.checked;
     figures.checked_error += power_of(radiance - full);
     figures.checked_power += power_of(full);
-    figures.checked_variance += variance;
   }
 
   GatherInput input_;
-  SceneNeeds needs_;
-  std::vector<std::optional<OneColour>> one_colour_;  // of each material
+  std::vector<zonal::Symmetry> symmetry_;             // of each material
+  std::vector<std::optional<OneColour>> one_colour_;  // where it is one
   zonal::CutTolerance tolerance_;
-  zonal::HvlCache<NE> lights_;
+  zonal::HvlCache<NE> lights_;  // to check
   zonal::HvlTree<NE> tree_;
   tbb::enumerable_thread_specific<Scratch> scratch_;
   PlanFigures figures_;
@@ -284,10 +293,10 @@ class PlannedHvl final : public PlannedGatherer {
 
 /// Null for numbers of bands that are not compiled in.
 template <zonal::Horizon H>
-std::unique_ptr<PlannedGatherer> make_planned_hvl(const GatherInput& input, const SceneNeeds& needs) {
+std::unique_ptr<PlannedGatherer> make_planned_hvl(const GatherInput& input, const ScenePlan& plan) {
   std::unique_ptr<PlannedGatherer> gatherer;
-  dispatch_hvl<H>(input.options.bands, needs.emission_bands,
-                  [&](auto n, auto ne) { gatherer = std::make_unique<PlannedHvl<n, ne, H>>(input, needs); });
+  dispatch_hvl<H>(input.options.bands, plan.emission_bands,
+                  [&](auto n, auto ne) { gatherer = std::make_unique<PlannedHvl<n, ne, H>>(input, plan); });
   return gatherer;
 }
 

@@ -105,8 +105,8 @@ std::string budget_text(const Report& report) {
                 report.options.lights == 1 ? "" : "s", took);
 }
 
-/// What a tolerance left out, and how far off that is.
-std::string plan_text(const Report& report) {
+/// What a tolerance left out, and how far off that is, in a line.
+std::string plan_line(const Report& report) {
   const PlanFigures& plan = *report.plan;
   const auto hits = static_cast<double>(std::max<std::size_t>(plan.hits, 1));
   std::string text = format("Tolerance %.3g %%: %.0f lights per hit in place of %zu; error at most %.3g %%",
@@ -114,6 +114,51 @@ std::string plan_text(const Report& report) {
                             100 * plan.proved_error());
   if (plan.checked > 0) text += format(", measured %.3g %% at %zu hits", 100 * plan.measured_error(), plan.checked);
   return text + ".\n";
+}
+
+std::string coefficients_text(const zonal::CoefficientPlan& plan, int asked) {
+  const char* const names[] = {"the same about the normal", "a mirror plane", "none"};
+  const int kept = plan.kept_count();
+  return format("%d of %d, ", kept, zonal::coefficient_count(zonal::Symmetry::none, asked)) +
+         names[static_cast<int>(plan.symmetry)];
+}
+
+std::string bytes_text(std::size_t bytes) {
+  const auto size = static_cast<double>(bytes);
+  return size < 1e6 ? format("%.0f kB", size / 1e3) : format("%.1f MB", size / 1e6);
+}
+
+/// The plan as tables that a person reads.
+std::string explanation(const Report& report) {
+  const Options& options = report.options;
+  std::vector<Row> materials{{"material", "coefficients kept, symmetry", "bands it sends", "error", "why"}};
+  for (std::size_t i = 0; i < report.scene_plan->materials.size(); ++i) {
+    const MaterialNeeds& needs = report.scene_plan->materials[i];
+    const bool all = needs.receiving.symmetry != zonal::Symmetry::zonal && needs.emitting.bands > 1;
+    materials.push_back({report.material_names[i], coefficients_text(needs.receiving, options.bands),
+                         format("%d of %d", needs.emitting.bands, options.emission_bands),
+                         format("%.1g %%", 100 * std::max(needs.receiving.error.mean, needs.emitting.error.mean)),
+                         all ? "it needs them" : "the others are zero"});
+  }
+  const PlanFigures& plan = *report.plan;
+  const auto hits = static_cast<double>(std::max<std::size_t>(plan.hits, 1));
+  const double gather = report.times.seconds(stage_name::gather), full = full_gather_seconds(report);
+  const auto percent = [](double share) { return format("%.3g %%", 100 * share); };
+  const std::vector<Row> rows{
+      {"", "in full", "planned"},
+      {"lights per hit", std::to_string(report.counts.virtual_lights), format("%.0f", plan.cut_lights / hits)},
+      {"of these not dark", "", format("%.0f", plan.pairs / hits)},
+      {"bands of emission", std::to_string(options.emission_bands), std::to_string(report.scene_plan->emission_bands)},
+      {"gather, s", full > 0.0 ? format("%.2f", full) : "-", format("%.2f", gather)},
+      {"lights in memory", bytes_text(report.light_bytes.full), bytes_text(report.light_bytes.planned)},
+      {"error, proved", "0", percent(plan.proved_error())},
+      {"error, measured", "0", plan.checked > 0 ? percent(plan.measured_error()) : "-"},
+  };
+  std::string text = "\n" + align(materials) + "\n" + align(rows);
+  text += format("%zu groups of hits, on one surface each. ", plan.groups);
+  text += "Of each cluster of a cut one light is drawn, in proportion to what its lights send at most.\n";
+  if (options.centre_visibility) text += "The bound holds whichever lights are hidden.\n";
+  return text;
 }
 
 }  // namespace
@@ -126,6 +171,10 @@ double nanoseconds_per_gather(const Report& report) {
 
 double light_seconds(const Report& report) {
   return report.times.seconds(stage_name::lights) + report.times.seconds(stage_name::gather);
+}
+
+double full_gather_seconds(const Report& report) {
+  return report.plan ? report.plan->full_seconds() / std::max(report.machine.threads, 1) : 0.0;
 }
 
 std::string table(const Report& report) {
@@ -142,7 +191,8 @@ std::string table(const Report& report) {
   if (report.options.needs_lights() && report.counts.virtual_lights != report.counts.map_lights) {
     text += format("%zu of them carry no light.\n", report.counts.map_lights - report.counts.virtual_lights);
   }
-  if (report.plan) text += plan_text(report);
+  if (report.plan) text += plan_line(report);
+  if (report.plan && report.options.explain) text += explanation(report);
   if (report.options.comparing()) {
     text += format("Difference: red where %s is brighter, blue where darker; full at %.2f of luma.\n",
                    name_of(method_names, report.options.method).c_str(), static_cast<double>(difference_full_scale));

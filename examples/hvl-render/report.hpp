@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "options.hpp"
 #include "planned_gather.hpp"
@@ -16,6 +17,7 @@ namespace stage_name {
 using namespace example::stage_name;
 inline constexpr const char* budget = "number of lights";
 inline constexpr const char* lights = "virtual lights";
+inline constexpr const char* plan = "plan";
 inline constexpr const char* direct = "direct light";
 inline constexpr const char* gather = "gather";
 inline constexpr const char* paths = "paths";
@@ -33,8 +35,11 @@ struct Report {
   StageTimes times;
   Counts counts;
   Machine machine;
-  double material_error = 0.0;        // greatest of the projections, of each table's largest coefficient
-  std::optional<PlanFigures> plan;    // where there was a tolerance
+  double material_error = 0.0;      // greatest of the projections, of each table's largest coefficient
+  std::optional<PlanFigures> plan;  // where there was a tolerance
+  std::optional<ScenePlan> scene_plan;
+  LightBytes light_bytes;
+  std::vector<std::string> material_names;
   std::optional<ImageErrors> errors;  // where there was something to compare with
 };
 
@@ -44,6 +49,9 @@ double nanoseconds_per_gather(const Report& report);
 
 /// What a time budget is for: shooting the virtual lights, and gathering them.
 double light_seconds(const Report& report);
+
+/// Seconds that the full gather would take on all threads, where a plan was checked; else 0.
+double full_gather_seconds(const Report& report);
 
 /// The aligned table for the terminal.
 std::string table(const Report& report);

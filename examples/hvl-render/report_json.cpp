@@ -48,6 +48,8 @@ nlohmann::json options_json(const Options& options) {
                {"radius_factor", options.radius_factor},
                {"horizon", name_of(horizon_names, options.horizon)},
                {"window", name_of(window_names, options.window)},
+               {"tolerance", options.tolerance},
+               {"checked_share", options.checked_share},
                {"samples_per_pixel", options.samples_per_pixel},
                {"bounces", options.bounces},
                {"seed", options.seed},
@@ -69,6 +71,40 @@ nlohmann::json budget_json(const Report& report) {
           {"took_seconds", light_seconds(report)}};
 }
 
+nlohmann::json coefficients_json(const zonal::CoefficientPlan& plan) {
+  const char* const names[] = {"zonal", "mirror", "none"};
+  return {{"symmetry", names[static_cast<int>(plan.symmetry)]},
+          {"bands", plan.bands},
+          {"coefficients", plan.kept_count()},
+          {"mean_error", plan.error.mean},
+          {"worst_error", plan.error.worst}};
+}
+
+nlohmann::json plan_json(const Report& report) {
+  nlohmann::json materials = nlohmann::json::array();
+  for (std::size_t i = 0; i < report.scene_plan->materials.size(); ++i) {
+    const MaterialNeeds& needs = report.scene_plan->materials[i];
+    materials.push_back({{"name", report.material_names[i]},
+                         {"receiving", coefficients_json(needs.receiving)},
+                         {"emitting", coefficients_json(needs.emitting)}});
+  }
+  const PlanFigures& plan = *report.plan;
+  const auto hits = static_cast<double>(std::max<std::size_t>(plan.hits, 1));
+  nlohmann::json json{{"materials", materials},
+                      {"emission_bands", report.scene_plan->emission_bands},
+                      {"groups", plan.groups},
+                      {"lights_per_hit", plan.cut_lights / hits},
+                      {"lights_per_hit_not_dark", plan.pairs / hits},
+                      {"light_bytes", {{"planned", report.light_bytes.planned}, {"full", report.light_bytes.full}}},
+                      {"proved_error", plan.proved_error()},
+                      {"checked_hits", plan.checked}};
+  if (plan.checked > 0) {
+    json["measured_error"] = plan.measured_error();
+    json["full_gather_seconds"] = full_gather_seconds(report);
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string json_text(const Report& report) {
@@ -78,6 +114,7 @@ std::string json_text(const Report& report) {
     json["material_projection_error"] = report.material_error;
     json["gather_ns_per_hit_and_light"] = nanoseconds_per_gather(report);
   }
+  if (report.plan) json["plan"] = plan_json(report);
   if (report.options.time_budget) json["time_budget"] = budget_json(report);
   if (report.errors) json["errors"] = errors_json(*report.errors);
   if (report.options.comparing()) {

@@ -67,29 +67,28 @@ class LightTree {
   template <class Light, class ForEach = SerialForEach>
   explicit LightTree(int count, const Light& light, const ForEach& for_each = {}) {
     if (count <= 0) return;
-    lights_.resize(std::size_t(count));
-    std::vector<Place> places(lights_.size());
+    std::vector<TreeLight<NE>> lights(static_cast<std::size_t>(count));
+    std::vector<Place> places(lights.size());
     for_each(count, [&](int i) {
-      TreeLight<NE>& l = lights_[std::size_t(i)];
+      TreeLight<NE>& l = lights[std::size_t(i)];
       l = light(i);
       places[std::size_t(i)] = {l.position, l.normal, i};
     });
     const std::vector<int> levels = split_all(places, count <= few_lights ? 1 : leaf_lights, for_each);
     order_.reserve(places.size());
     for (const Place& place : places) order_.push_back(place.light);
+    const auto of_index = [&](int i) -> const TreeLight<NE>& { return lights[std::size_t(i)]; };
     for (std::size_t level = levels.size() - 1; level-- > 0;) {
-      for_each(levels[level + 1] - levels[level], [&](int i) { summarise(nodes_[std::size_t(levels[level] + i)]); });
+      for_each(levels[level + 1] - levels[level],
+               [&](int i) { summarise(nodes_[std::size_t(levels[level] + i)], of_index); });
     }
     sums_.resize(places.size() + 1, 0.0);
-    add_up(0);
-    place_of_.resize(places.size());
-    for (int place = 0; place < count; ++place) place_of_[std::size_t(light_at(place))] = place;
+    add_up(0, of_index);
   }
 
   int size() const { return int(order_.size()); }
   std::size_t bytes() const {
-    return nodes_.size() * sizeof(LightNode<NE>) +
-           order_.size() * (sizeof(TreeLight<NE>) + 2 * sizeof(int) + sizeof(double));
+    return nodes_.size() * sizeof(LightNode<NE>) + order_.size() * (sizeof(int) + sizeof(double));
   }
   const std::vector<LightNode<NE>>& nodes() const { return nodes_; }
   const LightNode<NE>& node(int index) const { return nodes_[std::size_t(index)]; }
@@ -119,12 +118,11 @@ class LightTree {
     return low;
   }
 
-  /// Another light in the place of one: its clusters are bounded anew, less tightly than by a new tree; what it costs
-  /// grows with the depth of the tree, and where the weight changes by one addition per light.
-  void replace(int index, const TreeLight<NE>& light) {
-    const bool keeps_weight = detail::is_equal(weight_of(lights_[std::size_t(index)]), weight_of(light));
-    lights_[std::size_t(index)] = light;
-    const int place = place_of_[std::size_t(index)];
+  /// The light at a place of the order is another now: light(i) -> TreeLight<NE> as for the whole tree, asked for those
+  /// of one leaf. Its clusters are bounded anew, less tightly than by a new tree. What it costs grows with the depth of
+  /// the tree, and where the weight changes by one addition for each light behind it.
+  template <class Light>
+  void update(int place, const Light& light) {
     std::vector<int> above;
     int n = 0;
     while (node(n).children != 0) {
@@ -132,9 +130,13 @@ class LightTree {
       const int second = node(n).children + 1;
       n = node(second).first <= place ? second : node(n).children;
     }
-    summarise(nodes_[std::size_t(n)]);
+    summarise(nodes_[std::size_t(n)], light);
     for (; !above.empty(); above.pop_back()) join_children(nodes_[std::size_t(above.back())]);
-    if (!keeps_weight) add_up(place);
+    const double before = weight_before(place + 1) - weight_before(place);
+    const double change = double(weight_of(light(light_at(place)))) - before;
+    if (std::abs(change) > 1e-6 * before) {
+      for (int i = place + 1; i <= size(); ++i) sums_[std::size_t(i)] += change;
+    }
   }
 
   static float weight_of(const TreeLight<NE>& light) {
@@ -197,21 +199,22 @@ class LightTree {
   }
 
   /// The means and spreads of a node, from those of its children or from its lights.
-  void summarise(LightNode<NE>& node) const {
+  template <class Light>
+  void summarise(LightNode<NE>& node, const Light& light) const {
     if (node.children != 0) {
       join_children(node);
     } else {
-      LightNode<NE> sum = of_light(node.first);
-      for (int place = node.first + 1; place < node.last; ++place) sum = joined(sum, of_light(place));
+      LightNode<NE> sum = of_light(light(light_at(node.first)));
+      for (int place = node.first + 1; place < node.last; ++place) sum = joined(sum, of_light(light(light_at(place))));
       put(sum, node);
     }
     // Over the lights themselves the reach is tighter than over the children.
     glm::vec3 reach(0.0F);
     float normal_reach2 = 0;
     for (int place = node.first; place < node.last; ++place) {
-      const TreeLight<NE>& light = lights_[std::size_t(light_at(place))];
-      const glm::vec3 turn = light.normal - node.normal;
-      reach = (glm::max)(reach, glm::abs(light.position - node.position));
+      const TreeLight<NE>& one = light(light_at(place));
+      const glm::vec3 turn = one.normal - node.normal;
+      reach = (glm::max)(reach, glm::abs(one.position - node.position));
       normal_reach2 = (std::max)(normal_reach2, glm::dot(turn, turn));
     }
     node.reach = reach, node.normal_reach = std::sqrt(normal_reach2);
@@ -226,8 +229,7 @@ class LightTree {
     node = sum;
   }
 
-  LightNode<NE> of_light(int place) const {
-    const TreeLight<NE>& light = lights_[std::size_t(light_at(place))];
+  static LightNode<NE> of_light(const TreeLight<NE>& light) {
     LightNode<NE> node;
     node.position = light.position;
     node.normal = light.normal;
@@ -270,16 +272,15 @@ class LightTree {
     return node;
   }
 
-  void add_up(int place) {
+  template <class Light>
+  void add_up(int place, const Light& light) {
     for (; place < size(); ++place) {
-      const double weight = double(weight_of(lights_[std::size_t(light_at(place))]));
-      sums_[std::size_t(place) + 1] = sums_[std::size_t(place)] + weight;
+      sums_[std::size_t(place) + 1] = sums_[std::size_t(place)] + double(weight_of(light(light_at(place))));
     }
   }
 
   std::vector<LightNode<NE>> nodes_;
-  std::vector<TreeLight<NE>> lights_;
-  std::vector<int> order_, place_of_;
+  std::vector<int> order_;
   std::vector<double> sums_;
 };
 

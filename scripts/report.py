@@ -8,6 +8,7 @@ import sys
 import report_plots
 from report_data import LOOKUPS, METHOD, distinct, frame_ms, interpolated, one, read, where
 from report_field_text import field
+from report_many_lights_text import many_lights
 from report_gather_text import gather
 from report_screen_text import screen
 from report_text import figure, listed, table
@@ -216,7 +217,7 @@ def furnace(folder):
         table(titles, lines)])
 
 
-PARTS = {"gather": gather, "evaluation": evaluation, "interpolation": interpolation, "triangles": triangles,
+PARTS = {"gather": gather, "many_lights": many_lights, "evaluation": evaluation, "interpolation": interpolation, "triangles": triangles,
          "materials": materials, "furnace": furnace, "screen": screen, "field": field}
 
 

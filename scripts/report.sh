@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # Writes docs/report: data as CSV, plots, and a page that shows them. Installs and builds what it needs.
 #   report.sh [--full] [PART...]
-# PART: gather, evaluation, interpolation, triangles, materials, furnace, screen, field; all of them where none is named.
-# On two cores with nothing else to do three minutes for the screen, five for the field, under five for all others; --full
+# PART: gather, evaluation, interpolation, triangles, materials, furnace, many_lights, screen, field; all of them where none is named.
+# On two cores with nothing else to do three minutes for the screen, five for the field, ten for many lights, under five for all others; --full
 # takes hours. Files of measured materials in $ZONAL_DATA/merl and $ZONAL_DATA/rgl are part of it. To draw all anew from
 # the CSV files: report.py plot docs/report.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-all_parts=(evaluation interpolation triangles materials furnace gather screen field)
+all_parts=(evaluation interpolation triangles materials furnace gather many_lights screen field)
 full=() parts=()
 for argument in "$@"; do
   if [ "$argument" = --full ]; then
@@ -55,6 +55,8 @@ for part in "${parts[@]}"; do
   case "$part" in
     gather) "$python" "$zonal_root/scripts/report_gather.py" "$zonal_build/examples/hvl-render/hvl-render" "$data" \
       "$folder" "${full[@]}" ;;
+    many_lights) "$python" "$zonal_root/scripts/report_many_lights.py" \
+      "$zonal_build/examples/hvl-render/hvl-render" "$data" "$folder" "${full[@]}" ;;
     screen) "$python" "$zonal_root/scripts/report_screen.py" "$zonal_build/examples/igi-render/igi-render" "$folder" \
       "${full[@]}" ;;
     field) "$python" "$zonal_root/scripts/report_field.py" "$zonal_build/examples/field-capture/field-capture" \

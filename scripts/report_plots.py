@@ -392,6 +392,43 @@ def field_time(folder):
     save(figure, folder, "field_time")
 
 
+SCENE_STYLE = {"diffuse": (ORANGE, "o"), "glossy": (BLUE, "^"), "measured": (GREEN, "s")}
+
+
+def planned_seconds(row):
+    return row["tree_s"] + row["gather_s"]
+
+
+def many_lights(folder):
+    """Time against lights; error against tolerance; time against tolerance."""
+    rows = read(folder, "many_lights")
+    if not rows:
+        return
+    figure, (axes,) = panels(1, 3, height=3.0)
+    by_lights = where(rows, part="lights")
+    by_tolerance = where(rows, part="tolerance")
+    most = max(distinct(by_tolerance, "lights"))
+    for scene, (colour, marker) in SCENE_STYLE.items():
+        line = where(by_lights, scene=scene)
+        axes[0].plot([row["lights"] for row in line], [planned_seconds(row) for row in line], color=colour, marker=marker)
+        axes[0].plot([row["lights"] for row in line], [row["full_s"] for row in line], color=colour, linestyle=":")
+        line = where(by_tolerance, scene=scene, lights=most)
+        tolerances = [row["tolerance"] for row in line]
+        axes[1].plot(tolerances, [row["proved"] for row in line], color=colour, linestyle="--")
+        axes[1].plot(tolerances, [row["measured"] for row in line], color=colour, marker=marker)
+        axes[2].plot(tolerances, [planned_seconds(row) for row in line], color=colour, marker=marker)
+        axes[2].plot(tolerances, [row["full_s"] for row in line], color=colour, linestyle=":")
+    axes[1].plot(tolerances, tolerances, **FRONT)
+    axes[0].set(xscale="log", yscale="log", xlabel="lights", ylabel="tree and gather, s", title="1 %, 1280 x 720")
+    axes[1].set(xscale="log", yscale="log", xlabel="tolerance", ylabel="error", title=f"{most:.0f} lights")
+    axes[2].set(xscale="log", yscale="log", xlabel="tolerance", ylabel="tree and gather, s", title=f"{most:.0f} lights")
+    handles = [key(SCENE[scene], color=colour, marker=marker) for scene, (colour, marker) in SCENE_STYLE.items()]
+    handles += [key("in full", color=BLACK, linestyle=":"), key("error, proved", color=BLACK, linestyle="--"),
+                key("tolerance", **FRONT)]
+    legend_below(figure, handles, 6)
+    save(figure, folder, "many_lights")
+
+
 def overview(folder):
     """The README's: one panel each of the basis, virtual lights and grids, beside the rivals."""
     basis, interpolation_rows = read(folder, "evaluation"), read(folder, "interpolation")
@@ -432,5 +469,5 @@ def overview(folder):
     save(figure, folder, "overview")
 
 
-ALL = [gather, evaluation, interpolation, triangles, materials, furnace, screen, screen_sets, field,
+ALL = [gather, many_lights, evaluation, interpolation, triangles, materials, furnace, screen, screen_sets, field,
        field_time, overview]

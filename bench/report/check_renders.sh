@@ -1,4 +1,4 @@
-# Sourced by check_gather.sh, check_screen.sh and check_field.sh.
+# Sourced by check_gather.sh, check_many_lights.sh, check_screen.sh and check_field.sh.
 set -euo pipefail
 python=/usr/bin/python3
 

@@ -23,6 +23,13 @@ constexpr bool contains(const std::array<int, Size>& numbers, int number) {
   return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
 }
 
+/// What --bands offers to --tolerance: a plan has several kernels for each pair.
+#ifdef ZONAL_QUICK
+inline constexpr std::array compiled_planned_bands{5};
+#else
+inline constexpr std::array compiled_planned_bands{3, 5, 9};
+#endif
+
 /// Whether a pair is compiled in: all that is offered, or, in the test command's short build, what tests and the
 /// report's quick data ask for.
 constexpr bool is_compiled([[maybe_unused]] zonal::Horizon horizon, int bands, int emission_bands) {

@@ -9,6 +9,7 @@
 
 #include "gatherer.hpp"
 #include "option_names.hpp"
+#include "planned_gather.hpp"
 #include "shared/command_line.hpp"
 #include "shared/input_error.hpp"
 #include "virtual_lights.hpp"
@@ -136,10 +137,13 @@ void add_hvl_options(CLI::App& app, Options& options) {
 
 void add_plan_options(CLI::App& app, Options& options) {
   const std::string group = "Tolerance";
-  add_number(app, "--tolerance", options.tolerance, 0.0, 1.0, "0...1",
-             "hvl: how far indirect light may be off, as a root mean square: 0.01 is 1 %. Lights are then drawn for "
-             "many, as few as that allows; 0 gathers them all")
-      ->group(group);
+  CLI::Option* tolerance =
+      add_number(
+          app, "--tolerance", options.tolerance, 0.0, 1.0, "0...1",
+          "hvl: how far indirect light may be off, as a root mean square: 0.01 is 1 %. Lights are then drawn for "
+          "many, as few as that allows; 0 gathers them all")
+          ->group(group);
+  app.get_option("--time-budget")->excludes(tolerance);
   add_number(app, "--check", options.checked_share, 0.0f, 1.0f, "0...1",
              "Gather that share of the pixels in full as well, and report the error measured")
       ->group(group);
@@ -158,11 +162,16 @@ void add_path_options(CLI::App& app, Options& options) {
       ->group(group);
 }
 
-/// What speaks of a plan wants one; its errors are measured where it is to be explained.
+/// What speaks of a plan wants one, with bands that it is compiled for; its errors are measured where it is to be
+/// explained.
 void check_plan(const CLI::App& app, Options& options) {
   for (const char* option : {"--check", "--explain"}) {
     if (app.count(option) > 0 && !options.is_planned())
       throw InputError(std::string(option) + " means nothing without --tolerance");
+  }
+  if (options.is_planned() && !is_plannable(options.bands)) {
+    throw InputError("--tolerance: not for --bands " + std::to_string(options.bands) +
+                     ": these numbers of bands are not compiled in");
   }
   constexpr float explained_hits = 500.0f;
   if (options.explain && app.count("--check") == 0) {

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <zonal/gather/horizon.hpp>
-
+#include "gather_hvl.hpp"
 #include "shared/input_error.hpp"
 
 namespace example::hvl_render {
@@ -47,6 +46,8 @@ double PlanFigures::measured_error() const { return root_of_ratio(checked_error,
 double PlanFigures::full_seconds() const {
   return checked > 0 ? checked_seconds / static_cast<double>(checked) * static_cast<double>(hits) : 0.0;
 }
+
+bool is_plannable(int bands) { return contains(compiled_planned_bands, bands); }
 
 std::unique_ptr<PlannedGatherer> make_planned(const GatherInput& input, const ScenePlan& plan) {
   std::unique_ptr<PlannedGatherer> gatherer = make(input, plan);

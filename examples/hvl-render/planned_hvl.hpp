@@ -84,7 +84,7 @@ class PlannedHvl final : public PlannedGatherer {
   struct Place {
     const Hit* hit;
     std::size_t pixel, sample;
-    std::uint32_t pattern;  // by which it takes a draw
+    std::uint32_t pattern;  // 0 to 15, by which it takes a draw
   };
   struct Group {
     const zonal::GroupedReceiver* receivers;
@@ -131,6 +131,8 @@ class PlannedHvl final : public PlannedGatherer {
   }
 
   void collect(const Tile& tile, const PrimaryHits& hits, Scratch& scratch) const {
+    // Ordered dither: what stands near together, in rows and columns too, is spread over the draws.
+    constexpr std::uint32_t ordered[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
     scratch.places.clear();
     scratch.receivers.clear();
     const auto per_pixel = static_cast<std::uint32_t>(hits.per_pixel());
@@ -141,7 +143,7 @@ class PlannedHvl final : public PlannedGatherer {
           const std::optional<Hit>& hit = hits.of_pixel(in_slice)[sample];
           if (!hit) continue;
           scratch.receivers.push_back({hit->position, hit->normal, static_cast<int>(scratch.places.size())});
-          const auto pattern = static_cast<std::uint32_t>(x % 4 + 4 * (y % 4)) + 7 * sample;
+          const std::uint32_t pattern = (ordered[y % 4][x % 4] + 7 * sample) % 16;
           scratch.places.push_back({&*hit, pixel, pixel * per_pixel + sample, pattern});
         }
       }
@@ -208,7 +210,7 @@ class PlannedHvl final : public PlannedGatherer {
     for (std::uint32_t number = 0; number < static_cast<std::uint32_t>(draws); ++number) {
       for (int i = 0; i < group.count; ++i) {
         const Place& place = scratch.place(group, i);
-        if (place.pattern % static_cast<std::uint32_t>(draws) != number) continue;
+        if (place.pattern * static_cast<std::uint32_t>(draws) / 16 != number) continue;
         const glm::vec3 radiance = gather(scratch.draws[number], *place.hit);
         image.pixels[place.pixel] += radiance / static_cast<float>(hits.per_pixel());
         figures.power += power_of(radiance);
@@ -295,8 +297,12 @@ class PlannedHvl final : public PlannedGatherer {
 template <zonal::Horizon H>
 std::unique_ptr<PlannedGatherer> make_planned_hvl(const GatherInput& input, const ScenePlan& plan) {
   std::unique_ptr<PlannedGatherer> gatherer;
-  dispatch_hvl<H>(input.options.bands, plan.emission_bands,
-                  [&](auto n, auto ne) { gatherer = std::make_unique<PlannedHvl<n, ne, H>>(input, plan); });
+  for (const int emission_bands : compiled_emission_bands) {  // the least that will do
+    if (gatherer || emission_bands < plan.emission_bands) continue;
+    dispatch_hvl<H>(input.options.bands, emission_bands, [&](auto n, auto ne) {
+      if constexpr (contains(compiled_planned_bands, n)) gatherer = std::make_unique<PlannedHvl<n, ne, H>>(input, plan);
+    });
+  }
   return gatherer;
 }
 

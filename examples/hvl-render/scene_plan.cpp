@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "gatherer.hpp"
-
 namespace example::hvl_render {
 namespace {
 
@@ -49,9 +47,6 @@ ScenePlan plan_scene(const MaterialTables& tables, const Options& options) {
     plan.emission_bands = std::max(plan.emission_bands, needs.emitting.bands);
     plan.materials.push_back(std::move(needs));
   }
-  // Those numbers of bands that have a kernel.
-  const std::vector<int> offered = emission_bands();
-  plan.emission_bands = *std::lower_bound(offered.begin(), offered.end(), plan.emission_bands);
   return plan;
 }
 

@@ -51,6 +51,17 @@ foreach(option vpl-clamp vsl-samples vsgl-texels)
 endforeach()
 refused("option of another method" "--vsl-samples means nothing to --method vpl" --method vpl --vsl-samples 9)
 refused("cache of no table" "--material-cache means nothing to --method vpl" --method vpl --material-cache x)
+foreach(tolerance -1 2 nan little)
+  refused("tolerance ${tolerance}" "--tolerance: '${tolerance}' is not in 0...1" --tolerance ${tolerance})
+endforeach()
+refused("tolerance of vpl" "--tolerance means nothing to --method vpl" --method vpl --tolerance 0.1)
+refused("tolerance of 4 bands" "--tolerance: not for --bands 4: these numbers of bands are not compiled in" --bands 4
+  --tolerance 0.1)
+refused("tolerance in a time" "--time-budget excludes --tolerance" --tolerance 0.1 --time-budget 1)
+foreach(option --check=0.5 --explain)
+  string(REGEX REPLACE "=.*" "" name ${option})
+  refused("${name} of no plan" "${name} means nothing without --tolerance" ${option})
+endforeach()
 refused("map too large" "--lights and --vsgl-texels ask for a map of 1024000 texels across, more than 3200"
   --method vsgl --lights 1000000 --vsgl-texels 1024)
 refused("bands of no band" "--bands means nothing to --method vsgl" --method vsgl --bands 3)
@@ -122,6 +133,14 @@ renders("quiet picture and report" "x.exr x.json" "" --scene box.obj --out x.exr
 renders("OBJ by both methods" "out out/difference.png out/hvl.exr out/hvl.png out/reference.exr out/reference.png" ""
   --scene box.obj --compare out --horizon exact --bounces 3)
 renders("no second horizon" "x.png" "" --scene box.obj --out x.png --horizon none --visibility centre)
+renders("within a tolerance" "x.json x.png" "" --scene box.obj --out x.png --report x.json --lights 400 --tolerance 0.02
+  --explain)
+renders("comparison within a tolerance" "out out/difference.png out/hvl.exr out/hvl.png out/reference.exr out/reference.png"
+  "" --scene box.obj --lights 400 --tolerance 0.02 --compare out --visibility centre --horizon none)
+renders("textures within a tolerance" "x.png" "hvl-render: warning: virtual lights on 'tile' and other glossy reliefs .*"
+  --scene textured.obj --lights 400 --tolerance 0.02 --out x.png)
+renders("no lights within a tolerance" "x.png" "hvl-render: warning: nothing in view is lit, and the picture black"
+  --scene box.obj --no-stage --light 0,50,0 --light-target 0,100,0 --tolerance 0.01 --out x.png)
 renders("OBJ without the stage" "x.png" "" --scene triangle.obj --no-stage --out x.png --method path)
 renders("the last of two equal options" "y.png" "" --scene box.obj --out x.png --out y.png)
 

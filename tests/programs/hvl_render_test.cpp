@@ -4,6 +4,7 @@
 #include "hvl-render/gatherer.hpp"
 #include "hvl-render/lit_scene.hpp"
 #include "hvl-render/path.hpp"
+#include "hvl-render/planned_gather.hpp"
 #include "hvl-render/time_budget.hpp"
 #include "hvl-render/virtual_lights.hpp"
 #include "shared/material_change.hpp"
@@ -13,6 +14,8 @@
 #include <memory>
 #include <string>
 #include <vector>
+
+#include <tbb/global_control.h>
 
 #include <zonal/gather/vpl.hpp>
 
@@ -210,7 +213,59 @@ int lights_within(double seconds, Method method) {
   return lights_within_budget(scene, caster, project_materials(scene.materials, options), options);
 }
 
+/// The indirect light of a picture within a tolerance, checked at every hit.
+struct PlannedPicture {
+  Image image{96, 80};
+  PlanFigures figures;
+};
+
+PlannedPicture planned_picture(const Scene& scene, Options options, int threads) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  options.checked_share = 1.0f;
+  const RayCaster caster(scene);
+  const MaterialTables tables = project_materials(scene.materials, options);
+  const VirtualLightMap map = shoot_virtual_lights(scene, caster, tables, options);
+  const auto planned = make_planned({scene, caster, tables, map, options}, plan_scene(tables, options));
+  Progress progress(false);
+  const Stage stage{progress, "", 1.0};
+  PlannedPicture picture;
+  const Slice slice{0, picture.image.height};
+  planned->add(picture.image, trace_primary(caster, scene.camera, picture.image.width, slice.rows, slice, 1, stage),
+               stage);
+  picture.figures = planned->figures();
+  return picture;
+}
+
 }  // namespace
+
+TEST_CASE("tolerance: the error is within it and within a factor of five of what is proved; no thread changes a bit") {
+  for (const float tolerance : {0.05f, 0.01f}) {
+    Options options;
+    options.lights = 2500;
+    options.tolerance = double(tolerance);
+    const PlannedPicture one = planned_picture(box_scene(), options, 1), two = planned_picture(box_scene(), options, 2);
+    const PlanFigures& figures = one.figures;
+    CAPTURE(tolerance, figures.proved_error(), figures.measured_error(), figures.pairs / double(figures.hits));
+    CHECK(figures.hits > 7000);
+    CHECK(figures.checked == figures.hits);
+    CHECK(figures.measured_error() <= options.tolerance);
+    CHECK(figures.proved_error() <= 1.05 * options.tolerance);
+    CHECK(figures.proved_error() <= (tolerance < 0.02f ? 5.0 : 12.0) * figures.measured_error());
+    CHECK(figures.pairs < 0.7 * 2500.0 * double(figures.hits));
+    CHECK(one.image.pixels == two.image.pixels);
+  }
+}
+
+TEST_CASE("tolerance: holds where rays decide which lights are seen") {
+  Options options;
+  options.lights = 1024;
+  options.tolerance = 0.05;
+  options.centre_visibility = true;
+  const PlanFigures figures = planned_picture(box_scene(), options, 2).figures;
+  CAPTURE(figures.proved_error(), figures.measured_error());
+  CHECK(figures.measured_error() <= options.tolerance);
+  CHECK(figures.proved_error() <= 1.1 * options.tolerance);
+}
 
 TEST_CASE("time budget: more time is more lights, and none is one") {
   for (const Method method : {Method::vpl, Method::hvl_zonal, Method::vsgl, Method::vsgl_2024}) {

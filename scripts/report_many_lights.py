@@ -15,10 +15,10 @@ FIELDS = ["part", "scene", "lights", "tolerance", "tree_s", "gather_s", "lights_
 
 SHORT = {"size": (1280, 720), "lights": (100, 1024, 10000, 99856, 1000000), "most_lights": 3162 ** 2,
          "tolerance_size": (640, 360), "tolerances": (0.1, 0.03, 0.01, 0.003, 0.001, 0.0003, 0.0001), "few": (400, 99856),
-         "checked": 2000, "checked_of_most": 100}
+         "scenes": ("diffuse", "glossy", "measured"), "checked": 2000, "checked_of_most": 100}
 FULL = {**SHORT, "tolerance_size": (1280, 720)}
 QUICK = {"size": (48, 40), "lights": (16, 400), "most_lights": 1024, "tolerance_size": (48, 40),
-         "tolerances": (0.1, 0.01), "few": (400,), "checked": 500, "checked_of_most": 100}  # shows that all is there
+         "tolerances": (0.1, 0.01), "few": (400,), "scenes": ("diffuse",), "checked": 500, "checked_of_most": 100}  # shows that all is there
 
 
 class Renderer:
@@ -63,7 +63,8 @@ def main(program, report_data, folder, *mode):
     settings = {"--quick": QUICK, "--full": FULL}.get(mode[0] if mode else "", SHORT)
     with tempfile.TemporaryDirectory() as scratch:
         files, _ = measured_files(report_data, scratch)
-        renderer = Renderer(program, scenes(files), scratch)
+        arguments = {scene: scenes(files)[scene] for scene in settings["scenes"]}
+        renderer = Renderer(program, arguments, scratch)
         write(pathlib.Path(folder) / "many_lights.csv", FIELDS, rows(renderer, settings))
 
 

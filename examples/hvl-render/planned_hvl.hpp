@@ -42,10 +42,8 @@ class PlannedHvl final : public PlannedGatherer {
     if (!(tolerance_.typical_radiance > 0.0f)) tolerance_.typical_radiance = glance(tiles, hits);
     figures_ += for_each_tile(tiles, 1, [&](const Tile& tile, Scratch& scratch) {
       collect(tile, hits, scratch);
-      const PlanFigures figures = for_each_group(scratch, [&](const Group& group) {
-        find_cut(group, tolerance_, scratch);
-        return add_group(image, hits, group, scratch);
-      });
+      const PlanFigures figures =
+          for_each_group(scratch, [&](const Group& group) { return add_group(image, hits, group, scratch); });
       stage.progress.advance(stage.label, stage.cost_per_pixel * tile.width * tile.height);
       return figures;
     });
@@ -66,13 +64,14 @@ class PlannedHvl final : public PlannedGatherer {
   struct Tiles {
     int width, height, side, across, down;
 
-    /// Some 4096 hits each: cuts then cost little, and are not much finer than those of smaller tiles.
+    /// A twentieth of the picture across: cuts then cost little, and few surfaces change much within a tile.
     Tiles(int image_width, const PrimaryHits& hits)
-        : width(image_width),
-          height(hits.slice().rows),
-          side(std::max(4, static_cast<int>(64.0 / std::sqrt(static_cast<double>(hits.per_pixel()))) / 4 * 4)),
-          across((width + side - 1) / side),
-          down((height + side - 1) / side) {}
+        : width(image_width), height(hits.slice().rows), side(std::clamp(image_width / 80 * 4, 8, 64)) {
+      // About as many hits, whatever is seen of a pixel.
+      side = std::max(4, static_cast<int>(side / std::sqrt(static_cast<double>(hits.per_pixel()))) / 4 * 4);
+      across = (width + side - 1) / side;
+      down = (height + side - 1) / side;
+    }
 
     int count() const { return across * down; }
     Tile operator[](int number) const {
@@ -87,7 +86,7 @@ class PlannedHvl final : public PlannedGatherer {
     std::uint32_t pattern;  // 0 to 15, by which it takes a draw
   };
   struct Group {
-    const zonal::GroupedReceiver* receivers;
+    zonal::GroupedReceiver* receivers;
     int count;
   };
   /// A material that looks the same from everywhere, in one colour: Lambert's.
@@ -120,14 +119,33 @@ class PlannedHvl final : public PlannedGatherer {
     return sum;
   }
 
+  /// The sum of body(group) over the groups of a tile, with their cuts found.
   template <class Body>
-  static PlanFigures for_each_group(Scratch& scratch, const Body& body) {
+  PlanFigures for_each_group(Scratch& scratch, const Body& body) const {
     PlanFigures sum;
     zonal::for_each_receiver_group(scratch.receivers.data(), static_cast<int>(scratch.receivers.size()),
-                                   [&](const zonal::GroupedReceiver* receivers, int count) {
-                                     sum += body(Group{receivers, count});
+                                   [&](zonal::GroupedReceiver* receivers, int count) {
+                                     sum += for_each_part(Group{receivers, count}, scratch, body);
                                    });
     return sum;
+  }
+
+  /// Parts a group of which some are so much nearer to lights that those chosen do not tell of all.
+  template <class Body>
+  PlanFigures for_each_part(const Group& group, Scratch& scratch, const Body& body) const {
+    constexpr int least_count = 32;
+    const auto is_uneven = [&](const zonal::CutTolerance& tolerance, double most) {
+      find_cut(group, tolerance, scratch);
+      return group.count >= 2 * least_count && scratch.cut->unevenness() > most;
+    };
+    zonal::CutTolerance coarse = tolerance_;
+    coarse.relative = std::max(coarse.relative, 0.2f);
+    if (is_uneven(coarse, 3.0) || is_uneven(tolerance_, 4.0)) {
+      const int half = zonal::halve_receivers(group.receivers, group.count);
+      PlanFigures sum = for_each_part({group.receivers, half}, scratch, body);
+      return sum += for_each_part({group.receivers + half, group.count - half}, scratch, body);
+    }
+    return body(group);
   }
 
   void collect(const Tile& tile, const PrimaryHits& hits, Scratch& scratch) const {
@@ -156,7 +174,6 @@ class PlannedHvl final : public PlannedGatherer {
     const PlanFigures figures = for_each_tile(tiles, one_of, [&](const Tile& tile, Scratch& scratch) {
       collect(tile, hits, scratch);
       return for_each_group(scratch, [&](const Group& group) {
-        find_cut(group, tolerance_, scratch);
         PlanFigures seen;
         seen.hits = static_cast<std::size_t>(group.count);
         seen.magnitude = std::sqrt(scratch.cut->power()) * group.count;

@@ -57,7 +57,8 @@ endforeach()
 refused("tolerance of vpl" "--tolerance means nothing to --method vpl" --method vpl --tolerance 0.1)
 refused("tolerance of 4 bands" "--tolerance: not for --bands 4: these numbers of bands are not compiled in" --bands 4
   --tolerance 0.1)
-refused("tolerance in a time" "--time-budget excludes --tolerance" --tolerance 0.1 --time-budget 1)
+program_case("tolerance in a time" 2 "" "hvl-render: --time-budget excludes --tolerance" $<TARGET_FILE:hvl-render>
+  --tolerance 0.1 --time-budget 1)
 foreach(option --check=0.5 --explain)
   string(REGEX REPLACE "=.*" "" name ${option})
   refused("${name} of no plan" "${name} means nothing without --tolerance" ${option})

@@ -71,7 +71,7 @@ class LightCut {
 
   /// The coarsest cut that refining finds. The same for the same tree and receivers.
   void find(const CutReceivers<N>& receivers, const CutTolerance& tolerance) {
-    heap_.clear(), radiance_.clear(), whole_.clear();
+    heap_.clear(), clusters_.clear(), whole_.clear();
     for (auto& sum : radiance_sum_) sum = Lanes(0);
     variance_ = 0, size_of_whole_ = unknown_ = 0;
     if (tree_->size() == 0) return;
@@ -83,6 +83,16 @@ class LightCut {
   int size() const { return size_of_whole_ + int(heap_.size()); }
   /// The mean over the receivers of the square of the deviation, at most, and of the radiance, about; RGB added up.
   double variance() const { return (std::max)(variance_, 0.0) / cut_receivers; }
+  /// How much more the variance is at one of the receivers than in the mean: where it is many times as much, eight do
+  /// not tell of the others, and the receivers had better be parted.
+  double unevenness() const {
+    Lanes sum(0);
+    for (const Entry& entry : heap_) sum = sum + clusters_[entry.kept].variance;
+    double greatest = 0;
+    for (int lane = 0; lane < cut_receivers; ++lane) greatest = (std::max)(greatest, double(sum[lane]));
+    const double mean = double(sum.sum()) / cut_receivers;
+    return mean > 0 ? greatest / mean : 1;
+  }
   double power() const {
     Lanes power(0);
     for (const Lanes& sum : radiance_sum_) power = power + sum * sum;
@@ -117,13 +127,13 @@ class LightCut {
 
  private:
   using Lanes = Packet<float, cut_receivers>;
-  struct Radiance {
-    Lanes of[3];
+  struct Cluster {
+    Lanes radiance[3], variance;
   };
   struct Entry {
     float variance;
     std::int32_t node;
-    std::size_t radiance;  // where that of the cluster is kept
+    std::size_t kept;  // where more of it is
     bool operator<(const Entry& other) const {
       return variance < other.variance || (!(other.variance < variance) && node < other.node);
     }
@@ -148,22 +158,23 @@ class LightCut {
       size_of_whole_ += node.size();
       return;
     }
-    for (int c = 0; c < 3; ++c) radiance_sum_[c] = radiance_sum_[c] - radiance_[worst.radiance].of[c];
-    add(receivers, tolerance, node.children, worst.radiance);
-    add(receivers, tolerance, node.children + 1, radiance_.size());
+    for (int c = 0; c < 3; ++c) radiance_sum_[c] = radiance_sum_[c] - clusters_[worst.kept].radiance[c];
+    add(receivers, tolerance, node.children, worst.kept);
+    add(receivers, tolerance, node.children + 1, clusters_.size());
   }
 
   void add(const CutReceivers<N>& receivers, const CutTolerance& tolerance, std::int32_t index, std::size_t place) {
     const LightNode<NE>& node = tree_->node(index);
     const auto bound = bound_cluster<N, NE, method>(node, receivers, tolerance.with_visibility);
-    if (place == radiance_.size()) radiance_.emplace_back();
+    if (place == clusters_.size()) clusters_.emplace_back();
     Lanes variance(0);
     for (int c = 0; c < 3; ++c) {
-      radiance_[place].of[c] = bound.radiance[c];
+      clusters_[place].radiance[c] = bound.radiance[c];
       radiance_sum_[c] = radiance_sum_[c] + bound.radiance[c];
       variance = variance + bound.deviation[c] * bound.deviation[c];
     }
-    Entry entry{node.size() == 1 ? 0 : variance.sum(), index, place};
+    clusters_[place].variance = node.size() == 1 ? Lanes(0) : variance;
+    const Entry entry{clusters_[place].variance.sum(), index, place};
     heap_.push_back(entry);
     count(entry, 1);
     std::push_heap(heap_.begin(), heap_.end());
@@ -178,8 +189,8 @@ class LightCut {
   }
 
   const LightTree<NE>* tree_;
-  std::vector<Entry> heap_;          // by variance, the greatest in front
-  std::vector<Radiance> radiance_;   // of the clusters
+  std::vector<Entry> heap_;  // by variance, the greatest in front
+  std::vector<Cluster> clusters_;
   std::vector<std::int32_t> whole_;  // leaves all of whose lights are taken
   int size_of_whole_ = 0;
   Lanes radiance_sum_[3];

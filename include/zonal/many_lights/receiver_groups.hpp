@@ -106,6 +106,22 @@ void find_gap(const GroupedReceiver* receivers, int count, int axis, const Key& 
 
 }  // namespace detail
 
+/// Moves one half of them in front of the other, along the axis on which they lie widest apart; returns how many.
+inline int halve_receivers(GroupedReceiver* receivers, int count) {
+  Box3 box;
+  for (int i = 0; i < count; ++i) box.add(receivers[i].position);
+  const glm::vec3 size = box.high - box.low;
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const auto key = [axis](const GroupedReceiver& r) { return r.position[axis]; };
+  std::nth_element(receivers, receivers + count / 2, receivers + count,
+                   [&](const GroupedReceiver& a, const GroupedReceiver& b) {
+                     return key(a) < key(b) || (!(key(b) < key(a)) && a.index < b.index);
+                   });
+  std::sort(receivers, receivers + count / 2, [](const auto& a, const auto& b) { return a.index < b.index; });
+  std::sort(receivers + count / 2, receivers + count, [](const auto& a, const auto& b) { return a.index < b.index; });
+  return count / 2;
+}
+
 /// Splits receivers where their positions or normals leave a gap, as at an edge or before a background, and calls
 /// visit(first, count) for each group; the array is sorted by groups. What is curved or seen at a slant stays together.
 template <class Visit>

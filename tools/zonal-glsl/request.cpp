@@ -52,6 +52,7 @@ class Selector {
  public:
   Selector(const Request& request, const Dialect& dialect) : request_(request), dialect_(dialect) {
     check_options();
+    if (request.plan) add(*request.plan);
     for (const std::string& name : request.functions) add(name);
   }
   Selection result;
@@ -70,6 +71,20 @@ class Selector {
     if (request_.text.precise && dialect_.precise.empty()) {
       throw RequestError("--precise: " + std::string(dialect_.title) + " has no such word");
     }
+  }
+
+  void add(const zonal::shader::PlannedMaterials& plan) {
+    check_loops("gather_planned");
+    const zonal::shader::PlannedShells planned = planned_shells(plan, dialect_, request_.text);
+    for (const auto& need : planned.needs) {
+      add(find_function(need.function.function)->record(need.bands, need.function.part));
+    }
+    result.shells = planned.shells;
+  }
+
+  void check_loops(const std::string& name) const {
+    if (!dialect_.has_loops) refuse(name, "is a loop, which is there in GLSL only");
+    if (request_.text.flat) refuse(name, "is a loop, which takes arrays: not with --flat");
   }
 
   void add(const std::string& item) {
@@ -95,8 +110,7 @@ class Selector {
       }
       add(std::move(recorded));
     } else if (const Shell* shell = zonal::shader::find_shell(name)) {
-      if (!dialect_.has_loops) refuse(name, "is a loop, which is there in GLSL only");
-      if (request_.text.flat) refuse(name, "is a loop, which takes arrays: not with --flat");
+      check_loops(name);
       add(*shell, bands);
     } else {
       refuse(name, "is no function (--list names them)");
@@ -116,7 +130,7 @@ class Selector {
     const std::string name = shell_name(shell, bands, request_.text);
     const auto is_same = [&](const NamedText& other) { return other.name == name; };
     if (std::any_of(result.shells.begin(), result.shells.end(), is_same)) return;
-    for (const auto& need : shell.needs(bands)) add(find_function(need.function)->record(bands, need.order));
+    for (const auto& need : shell.needs(bands)) add(find_function(need.function)->record(bands, need.part));
     result.shells.push_back({name, shell_text(shell, bands, dialect_, request_.text)});
   }
 
@@ -133,8 +147,10 @@ std::string join(const std::vector<std::string>& names) {
 /// The options that a file was made with.
 std::string made_by(const Request& request) {
   const zonal::shader::TextOptions& text = request.text;
-  return "--bands " + std::to_string(request.bands) + " --functions " + join(request.functions) +
-         (text.compound ? "" : " --temporaries") + (text.precise ? " --precise" : "") + (text.flat ? " --flat" : "") +
+  const std::string functions = "--bands " + std::to_string(request.bands) + " --functions " + join(request.functions);
+  return (request.plan ? "--plan " + request.plan_name : "") + (request.plan && !request.functions.empty() ? " " : "") +
+         (request.functions.empty() ? "" : functions) + (text.compound ? "" : " --temporaries") +
+         (text.precise ? " --precise" : "") + (text.flat ? " --flat" : "") +
          (text.prefix == zonal::shader::TextOptions().prefix ? "" : " --prefix " + text.prefix);
 }
 

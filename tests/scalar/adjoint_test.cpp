@@ -25,7 +25,7 @@ template <class T>
 std::array<T, 4> functions(const T& x, const T& y, const T& z) {
   const T product = x * y * x, quotient = (y - x) / (z * z + T(2)), inverse = T(1) / (x * x + T(1));
   const T chosen = select(x < y, product, -quotient), other = select(y <= z, T(3) / (y * y + T(1)), x * T(0.25));
-  return {product + quotient - inverse, minimum(x * z, y) * maximum(z, T(0.5)) + abs(x - z),
+  return {product + quotient - inverse * maximum(x, y), minimum(x * z, y) * maximum(z, T(0.5)) + abs(x - z),
           sqrt(x * x + y * y + T(0.125)) * chosen, other - abs(z) * sqrt(abs(y) + T(1)) + minimum(x, T(0))};
 }
 
@@ -75,6 +75,18 @@ TEST_CASE("What is not asked for is not derived, and what does not change has th
     REQUIRE(derivative.is_constant());
     CHECK(derivative.constant() == 0);
   }
+}
+
+TEST_CASE("The root of 0 has an infinite derivative, but hands on nothing where it was not chosen") {
+  Recording recording;
+  const Recorder x = recording.input("x"), by = recording.input("by");
+  const Recorder root = sqrt(x), chosen = select(Recorder(0) < x, root * x, x + x);
+  const auto at_0 = [&](const Recorder& output) {
+    const auto by_x = adjoints(recording, {output}, {by}, {x});
+    return values_of(by_x, run_lines(recording, std::vector<double>{0, 1}))[0];
+  };
+  CHECK(at_0(root) == std::numeric_limits<double>::infinity());
+  CHECK(at_0(chosen) == 2);
 }
 
 // What a colour of three channels takes with its derivatives, at a unit vector: the figures that were asked for are 330

@@ -37,6 +37,12 @@ void add_options(CLI::App& app, Options& options) {
                  "What to write, by name; with a number of bands of its own: evaluate@3; of evaluate and its like also "
                  "a part: evaluate:even, evaluate:degree2@4")
       ->delimiter(',');
+  app.add_option(
+         "--adjoint", options.request.adjoints,
+         "The same, each with derivatives: takes a loss's by its outputs, by_value, and gives those by its inputs")
+      ->delimiter(',');
+  app.add_option("--by", options.request.by, "The inputs that --adjoint is for, by name; otherwise all: sh,direction")
+      ->delimiter(',');
   app.add_option("--bands", options.bands, "Bands, 1 to " + std::to_string(zonal::shader::max_bands))
       ->capture_default_str();
   app.add_option("--dialect", options.dialect, "One of " + dialect_names())->capture_default_str();
@@ -58,7 +64,11 @@ void run(Options& options) {
     std::fputs(function_list(options.request, *dialect).c_str(), stdout);
     return;
   }
-  if (options.request.functions.empty()) throw RequestError("--functions names none (--list names them all)");
+  if (options.request.functions.empty() && options.request.adjoints.empty()) {
+    throw RequestError("--functions names none (--list names them all)");
+  }
+  if (!options.request.by.empty() && options.request.adjoints.empty())
+    throw RequestError("--by: there is no --adjoint");
   options.request.text.compound = !options.temporaries;
   const std::string text =
       options.count ? operation_table(options.request, *dialect) : shader_file(options.request, *dialect);

@@ -18,6 +18,8 @@ struct RequestError : std::runtime_error {
 /// 0) or evaluate:degree2, leaves the others out, and what they alone need; without @<bands> there are `bands`.
 struct Request {
   std::vector<std::string> functions;
+  std::vector<std::string> adjoints;  // the same, with derivatives; no shells
+  std::vector<std::string> by;        // inputs, of all adjoints; if none, all
   int bands = 5;
   zonal::shader::TextOptions text;
 };

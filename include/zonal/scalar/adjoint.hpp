@@ -10,7 +10,8 @@
 // those that nothing asked for needs do not count.
 //
 // Of two branches the one taken counts, as in a Dual (dual.hpp): minimum, maximum, abs and select are derived as they
-// have chosen. A comparison has no derivative, and hands nothing on. That of a square root is infinite at 0.
+// have chosen. A comparison has no derivative, and hands nothing on. That of a square root is infinite at 0; but where
+// a choice follows, which may have been against it, it is taken to be 0 there, or infinity times 0 would come of it.
 //
 // [1] Griewank and Walther, Evaluating Derivatives, 2nd edition, SIAM, 2008, chapter 3.
 #pragma once
@@ -43,7 +44,10 @@ struct Worth {
 class ReverseSweep {
  public:
   ReverseSweep(Recording& recording, const std::vector<Recorder>& inputs)
-      : recording_(recording), worth_(recording.lines().size()), depends_(worth_.size(), false) {
+      : recording_(recording),
+        worth_(recording.lines().size()),
+        depends_(worth_.size(), false),
+        is_choice_(worth_.size(), false) {
     for (const Recorder& input : inputs) depends_[index(input)] = true;
     for (std::size_t i = 0; i < depends_.size(); ++i) {
       for (const int operand : recording.lines()[i].operands) {
@@ -79,13 +83,18 @@ class ReverseSweep {
   void hand_on(std::size_t line, const Recorder& w, bool is_minus) {
     const Recorder result = recording_.result_of(static_cast<int>(line));
     const Recorder a = operand(line, 0), b = operand(line, 1), c = operand(line, 2);
+    const Operation operation = recording_.lines()[line].operation;
+    const bool is_choice = is_choice_[line] || operation == Operation::minimum || operation == Operation::maximum ||
+                           operation == Operation::select;
     const auto give = [&](const Recorder& to, const auto& share, bool changes_sign = false) {
-      if (depends(to)) add(to, share(), is_minus != changes_sign);
+      if (!depends(to)) return;
+      add(to, share(), is_minus != changes_sign);
+      if (is_choice) is_choice_[index(to)] = true;
     };
     const auto whole = [&] { return w; };
     const auto where = [&](const RecorderMask& mask) { return [=] { return select(mask, w, Recorder(0)); }; };
     const auto elsewhere = [&](const RecorderMask& mask) { return [=] { return select(mask, Recorder(0), w); }; };
-    switch (recording_.lines()[line].operation) {
+    switch (operation) {
       case Operation::input:
       case Operation::constant:
       case Operation::less:
@@ -123,7 +132,12 @@ class ReverseSweep {
         give(b, where(a < b));
         break;
       case Operation::absolute: give(a, [&] { return select(a < Recorder(0), -w, w); }); break;
-      case Operation::square_root: give(a, [&] { return w / (result + result); }); break;
+      case Operation::square_root:
+        give(a, [&] {
+          const Recorder share = w / (result + result);
+          return is_choice ? select(Recorder(0) < result, share, Recorder(0)) : share;
+        });
+        break;
       case Operation::select:
         give(b, where({a}));
         give(c, elsewhere({a}));
@@ -132,8 +146,9 @@ class ReverseSweep {
   }
 
   Recording& recording_;
-  std::vector<Worth> worth_;   // by line, of those that were there before
-  std::vector<bool> depends_;  // on an input asked for
+  std::vector<Worth> worth_;     // by line, of those that were there before
+  std::vector<bool> depends_;    // on an input asked for
+  std::vector<bool> is_choice_;  // whether it is worth something only where it was chosen
 };
 
 }  // namespace detail

@@ -130,13 +130,21 @@ inline constexpr Accuracy kKernelAccuracy[] = {
     in_any_scalar("horizon_exact", 2, kUlpOfTypical),
     in_any_scalar("hvl_radiance_diffuse", 20, kUlpOfTypical),
     in_any_scalar("hvl_radiance", 25, kUlpOfTypical),
+    in_any_scalar("hvl_radiance_diffuse_exact", 20, kUlpOfTypical),
+    in_any_scalar("hvl_radiance_exact", 25, kUlpOfTypical),
+    in_any_scalar("hvl_radiance_diffuse_no_horizon", 20, kUlpOfTypical),
+    in_any_scalar("hvl_radiance_no_horizon", 25, kUlpOfTypical),
+    in_any_scalar("hvl_radiance_zonal_diffuse", 20, kUlpOfTypical),
+    in_any_scalar("hvl_radiance_zonal", 25, kUlpOfTypical),
+    in_any_scalar("hvl_radiance_zonal_diffuse_exact", 20, kUlpOfTypical),
+    in_any_scalar("hvl_radiance_zonal_exact", 25, kUlpOfTypical),
+    in_any_scalar("hvl_radiance_zonal_diffuse_no_horizon", 20, kUlpOfTypical),
+    in_any_scalar("hvl_radiance_zonal_no_horizon", 25, kUlpOfTypical),
     in_any_scalar("is_same_surface", 0),
     in_any_scalar("arcs", 3),
     in_any_scalar("project_spot_with_gradient", 30),
     in_any_scalar("project_triangle_sphere_with_gradient", 30),
     in_any_scalar("project_polygon_with_gradient", 35),
-    in_any_scalar("hvl_radiance_exact", 25, kUlpOfTypical),
-    in_any_scalar("hvl_radiance_no_horizon", 25, kUlpOfTypical),
 };
 
 inline constexpr Accuracy kFunctionAccuracy[] = {

@@ -53,6 +53,7 @@ class Selector {
  public:
   Selector(const Request& request, const Dialect& dialect) : request_(request), dialect_(dialect) {
     check_options();
+    if (request.plan) add(*request.plan);
     for (const std::string& name : request.functions) add(name);
     for (const std::string& name : request.adjoints) add_adjoint(name);
   }
@@ -72,6 +73,20 @@ class Selector {
     if (request_.text.precise && dialect_.precise.empty()) {
       throw RequestError("--precise: " + std::string(dialect_.title) + " has no such word");
     }
+  }
+
+  void add(const zonal::shader::PlannedMaterials& plan) {
+    check_loops("gather_planned");
+    const zonal::shader::PlannedShells planned = planned_shells(plan, dialect_, request_.text);
+    for (const auto& need : planned.needs) {
+      add(find_function(need.function.function)->record(need.bands, need.function.part));
+    }
+    result.shells = planned.shells;
+  }
+
+  void check_loops(const std::string& name) const {
+    if (!dialect_.has_loops) refuse(name, "is a loop, which is there in GLSL only");
+    if (request_.text.flat) refuse(name, "is a loop, which takes arrays: not with --flat");
   }
 
   /// <name>[:<selection>][@<bands>]
@@ -94,8 +109,7 @@ class Selector {
     if (const FunctionEntry* function = find_function(item.name)) {
       add(record(*function, item));
     } else if (const Shell* shell = zonal::shader::find_shell(item.name + item.selection)) {
-      if (!dialect_.has_loops) refuse(item.name, "is a loop, which is there in GLSL only");
-      if (request_.text.flat) refuse(item.name, "is a loop, which takes arrays: not with --flat");
+      check_loops(item.name);
       add(*shell, item.bands);
     } else {
       refuse(item.name + item.selection, "is no function (--list names them)");
@@ -146,7 +160,7 @@ class Selector {
     const std::string name = shell_name(shell, bands, request_.text);
     const auto is_same = [&](const NamedText& other) { return other.name == name; };
     if (std::any_of(result.shells.begin(), result.shells.end(), is_same)) return;
-    for (const auto& need : shell.needs(bands)) add(find_function(need.function)->record(bands, need.order));
+    for (const auto& need : shell.needs(bands)) add(find_function(need.function)->record(bands, need.part));
     result.shells.push_back({name, shell_text(shell, bands, dialect_, request_.text)});
   }
 
@@ -163,12 +177,17 @@ std::string join(const std::vector<std::string>& names) {
 /// The options that a file was made with.
 std::string made_by(const Request& request) {
   const zonal::shader::TextOptions& text = request.text;
-  const auto option = [](const char* name, const std::vector<std::string>& names) {
-    return names.empty() ? "" : name + join(names);
+  std::string made;
+  const auto option = [&](const char* name, const std::string& value) {
+    if (!value.empty()) made += (made.empty() ? "" : " ") + (name + value);
   };
-  return "--bands " + std::to_string(request.bands) + option(" --functions ", request.functions) +
-         option(" --adjoint ", request.adjoints) + option(" --by ", request.by) +
-         (text.compound ? "" : " --temporaries") + (text.precise ? " --precise" : "") + (text.flat ? " --flat" : "") +
+  if (request.plan) option("--plan ", request.plan_name);
+  if (!request.functions.empty() || !request.adjoints.empty()) option("--bands ", std::to_string(request.bands));
+  option("--functions ", join(request.functions));
+  option("--adjoint ", join(request.adjoints));
+  option("--by ", join(request.by));
+  return made + (text.compound ? "" : " --temporaries") + (text.precise ? " --precise" : "") +
+         (text.flat ? " --flat" : "") +
          (text.prefix == zonal::shader::TextOptions().prefix ? "" : " --prefix " + text.prefix);
 }
 

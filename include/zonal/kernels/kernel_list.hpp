@@ -41,18 +41,23 @@ using ColourKernels =
                OfColours<DotZonal>, OfColours<DotZonal, Colours::all>, OfColours<Product>,
                OfColours<Product, Colours::all>, OfColours<ProductZonal>, OfColours<TripleProduct>,
                OfColours<ApplyWindow<Window::hann>>, OfColours<ApplyWindow<Window::sinc>>>;
-using SceneKernels = KernelList<Sphere, SphereWithGradient,                             // lights
-                                CellPosition, CellWeightsOf<Interpolation::trilinear>,  // grid
-                                CellWeightsOf<Interpolation::hermite>, VisibilityPlace, SeenShare,
-                                VisibleWeightsOf<Interpolation::trilinear>, VisibleWeightsOf<Interpolation::hermite>,
-                                ClearSums, AddSphere, FinishSums,  //
-                                MaterialRow, MaterialBetweenRows,  // materials
-                                TangentTowards, HorizonOf<Horizon::smoothstep>, HorizonOf<Horizon::exact>,
-                                HvlRadiance<1>, HvlRadiance<3>,  // virtual lights
-                                IsSameSurface>;                  // screen
-// They are no shader functions: of fixed lights, and for tests.
-using UnwrittenKernels = KernelList<Arcs, SpotWithGradient, TriangleSphereWithGradient, PolygonWithGradient,
-                                    HvlRadiance<3, Horizon::exact>, HvlRadiance<3, Horizon::none>>;
+using SceneKernels =
+    KernelList<Sphere, SphereWithGradient,                             // lights
+               CellPosition, CellWeightsOf<Interpolation::trilinear>,  // grid
+               CellWeightsOf<Interpolation::hermite>, VisibilityPlace, SeenShare,
+               VisibleWeightsOf<Interpolation::trilinear>, VisibleWeightsOf<Interpolation::hermite>, ClearSums,
+               AddSphere, FinishSums,             //
+               MaterialRow, MaterialBetweenRows,  // materials
+               TangentTowards, HorizonOf<Horizon::smoothstep>, HorizonOf<Horizon::exact>, HvlRadiance<1>,
+               HvlRadiance<3>,  // virtual lights
+               HvlRadiance<1, Horizon::exact>, HvlRadiance<3, Horizon::exact>, HvlRadiance<1, Horizon::none>,
+               HvlRadiance<3, Horizon::none>, HvlRadiance<1, Horizon::smoothstep, Symmetry::zonal>,
+               HvlRadiance<3, Horizon::smoothstep, Symmetry::zonal>, HvlRadiance<1, Horizon::exact, Symmetry::zonal>,
+               HvlRadiance<3, Horizon::exact, Symmetry::zonal>, HvlRadiance<1, Horizon::none, Symmetry::zonal>,
+               HvlRadiance<3, Horizon::none, Symmetry::zonal>,  //
+               IsSameSurface>;                                  // screen
+// They are no shader functions: of fixed lights.
+using UnwrittenKernels = KernelList<Arcs, SpotWithGradient, TriangleSphereWithGradient, PolygonWithGradient>;
 
 }  // namespace kernels
 }  // namespace ZONAL_TARGET

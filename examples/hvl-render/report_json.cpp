@@ -100,12 +100,14 @@ nlohmann::json plan_json(const Report& report) {
   const auto hits = static_cast<double>(std::max<std::size_t>(plan.hits, 1));
   nlohmann::json json{{"materials", materials},
                       {"horizon", name_of(horizon_names, report.options.horizon)},
-                      {"coefficient_bits", 32},
+                      {"coefficient_bits", report.scene_plan->coefficient_bits},
+                      {"half_error", report.scene_plan->half_error},
                       {"emission_bands", report.scene_plan->emission_bands},
                       {"groups", plan.groups},
                       {"lights_per_hit", plan.cut_lights / hits},
                       {"lights_per_hit_not_dark", plan.pairs / hits},
                       {"light_bytes", {{"planned", report.light_bytes.planned}, {"full", report.light_bytes.full}}},
+                      {"table_bytes", {{"planned", report.table_bytes.planned}, {"full", report.table_bytes.full}}},
                       {"proved_error", plan.proved_error()},
                       {"checked_hits", plan.checked}};
   if (plan.checked > 0) {

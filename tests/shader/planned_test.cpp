@@ -90,7 +90,7 @@ struct PlannedScene {
     std::vector<float> begins;
     for (std::size_t i = 0; i < tables.size(); ++i) {
       begins.push_back(static_cast<float>(materials.size()));
-      const std::vector<float> floats = shader_buffer(tables[i], receiving[i]);
+      const std::vector<float> floats = shader_buffer(zonal::KeptTable(tables[i], receiving[i], halves ? 16 : 32));
       materials.insert(materials.end(), floats.begin(), floats.end());
       if (halves) tables[i] = in_halves(tables[i]);
     }

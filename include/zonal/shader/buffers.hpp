@@ -10,7 +10,7 @@
 //   of                 floats                                      read by (shells.hpp)
 //   HvlCache           ZONAL_LIGHT(i), light after light           gather; of one band gather_diffuse
 //   MaterialTable      ZONAL_MATERIAL(i), two numbers, F, F'       material_with_cosine, material_without_cosine
-//    by a plan         the same, two numbers, F of what is kept    what zonal-glsl --plan writes
+//   KeptTable          the same, two numbers, F of what is kept    what zonal-glsl --plan writes
 //   CoefficientGrid    ZONAL_GRID(i), vertex after vertex          interpolate_trilinear, interpolate_hermite
 //   GridVisibility     ZONAL_VISIBILITY(i), vertex after vertex    interpolate_visible_trilinear, .._hermite
 //   SurfacePicture     ZONAL_SURFACE(i), row after row             filter_across, filter_down
@@ -19,7 +19,6 @@
 // They need neither zonal-glsl nor a recorder: this header is for the program that draws.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -29,7 +28,7 @@
 #include "../grid/coefficient_grid.hpp"
 #include "../grid/visibility.hpp"
 #include "../material/material_table.hpp"
-#include "../plan/material_plan.hpp"
+#include "../plan/kept_table.hpp"
 #include "../scalar/refuse.hpp"
 #include "../screen/plane_picture.hpp"
 
@@ -74,25 +73,14 @@ inline std::vector<float> shader_buffer(const MaterialTable& table) {
   return floats;
 }
 
-/// What the material's receivers read of it by a plan: 2 + 3 rows count floats,
+/// What receivers read of a material by a plan, 2 + 3 rows row_size floats:
 ///
 ///   0    rows
-///   1    count: coefficients that the plan keeps
+///   1    row_size: coefficients that are kept
 ///   2    F: row after row, of each row those that are kept, degree by degree, RGB innermost
-inline std::vector<float> shader_buffer(const MaterialTable& table, const CoefficientPlan& receiving) {
-  std::vector<int> places;  // in a row
-  for (int l = 0; l < (std::min)(receiving.bands, table.bands()); ++l) {
-    for (int m = 0; m <= l; ++m) {
-      if (receiving.keeps(l, m)) places.push_back(even_index(l, m));
-    }
-  }
-  std::vector<float> floats{float(table.angles()), float(places.size())};
-  for (int row = 0; row < table.angles(); ++row) {
-    for (const int place : places) {
-      const glm::vec3& f = table.with_cosine_rows()[std::size_t(row * table.row_size() + place)];
-      floats.insert(floats.end(), {f.r, f.g, f.b});
-    }
-  }
+inline std::vector<float> shader_buffer(const KeptTable& table) {
+  std::vector<float> floats = table.rows();
+  floats.insert(floats.begin(), {float(table.angles()), float(table.row_size())});
   return floats;
 }
 

@@ -2,7 +2,7 @@
 // one function around them that shades. In GLSL, as the other loops (shells.hpp), of whose macros they read
 //
 //   ZONAL_LIGHT(i)     float number i of the lights: shader_buffer(HvlCache<emission_bands>)
-//   ZONAL_MATERIAL(i)  float number i of the materials: shader_buffer(table, plan), one after the other
+//   ZONAL_MATERIAL(i)  float number i of the materials: shader_buffer(KeptTable), one after the other
 //
 // or, where the plan has 16 bits for a coefficient, in place of the second
 //
@@ -100,7 +100,7 @@ inline std::string planned_gather_text(const std::vector<PlannedClass>& classes,
   }
   const std::string text =
       R"(// The outgoing radiance that all virtual lights cause at a surface of the material that has this number in the plan.
-// `table` is the number of the first float of its table; see shader_buffer (zonal/shader/buffers.hpp).
+// `table` is the number of the first float of its table; see KeptTable and shader_buffer (zonal/shader/buffers.hpp).
 $vec3 zonal_gather_planned($uint material, $uint table, $uint light_count, $vec3 position, $vec3 normal, $vec3 to_eye) {
   $precise $float cos_outgoing = normal.x * to_eye.x + normal.y * to_eye.y + normal.z * to_eye.z;
 $CHOICES}

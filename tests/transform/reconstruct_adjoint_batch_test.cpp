@@ -125,7 +125,7 @@ TEST_CASE("adjoint batch: each is what it is alone") {
 TEST_CASE("adjoint batch: what is not asked for is not written") {
   Data<4, float, float> data(20);
   zonal::reconstruct_with_adjoint<4>(data.batch(), zonal::AdjointBatch<float>{nullptr, data.by_sh.data(), nullptr});
-  CHECK(data.by_sh[0] == Approx(data.by_value[0] * 0.2820948));
+  CHECK(data.by_sh[0] == Approx(data.by_value[0] * 0.2820948F));
   zonal::reconstruct_with_adjoint<4>(data.batch(), zonal::AdjointBatch<float>{data.value.data(), nullptr, nullptr});
   CHECK(data.value[0] != data.guard);
   CHECK(data.by_direction[0] == data.guard);

@@ -55,6 +55,19 @@ foreach(output ">/dev/full:cannot be written .No space left on device." ">&-:is 
     ${run_case} ${work_dir}/inputs ${work_dir}/${folder} 2 "" "zonal-glsl: standard output: ${what}"
     sh -c "'$<TARGET_FILE:zonal-glsl>' --functions cap ${redirection}")
 endforeach()
+zonal_glsl_refused("adjoint of a loop" "'gather' is a loop, which has no adjoint" --adjoint gather -o x.glsl)
+zonal_glsl_refused("adjoint of no function" "'magic' is no function .*" --adjoint magic -o x.glsl)
+zonal_glsl_refused("adjoint of a choice" "--adjoint: zonal_is_same_surface has no derivative by any input"
+  --adjoint is_same_surface -o x.glsl)
+zonal_glsl_refused("adjoint of sums" "--adjoint: zonal_add_sphere_5 adds to what it is given, .*"
+  --adjoint add_sphere -o x.glsl)
+zonal_glsl_refused("adjoint of an adjoint" "--adjoint: zonal_splat_with_adjoint_5 has a parameter 'by_value' already"
+  --adjoint splat_with_adjoint -o x.glsl)
+zonal_glsl_refused("by no input" "--adjoint: zonal_reconstruct_5 has no input 'foo', but sh, direction"
+  --adjoint reconstruct --by sh,foo -o x.glsl)
+zonal_glsl_refused("by, of nothing" "--by: there is no --adjoint" --functions cap --by half_angle -o x.glsl)
+zonal_glsl_case("adjoint" 0 "x.glsl" "" --functions cap --adjoint splat_colour@4,reconstruct_along_colour --by sh
+  --bands 3 -o x.glsl)
 zonal_glsl_case("list" 0 "" "" --list)
 zonal_glsl_case("count" 0 "" "" --count --functions evaluate,evaluate:even,evaluate:degree2,reconstruct_lambert)
 zonal_glsl_case("list of another dialect" 0 "" "" --list --dialect wgsl --flat --bands 3)

@@ -41,6 +41,12 @@ void add_options(CLI::App& app, Options& options) {
                  "What to write, by name; with a number of bands of its own: evaluate@3; of evaluate and its like also "
                  "a part: evaluate:even, evaluate:degree2@4")
       ->delimiter(',');
+  app.add_option(
+         "--adjoint", options.request.adjoints,
+         "The same, each with derivatives: takes a loss's by its outputs, by_value, and gives those by its inputs")
+      ->delimiter(',');
+  app.add_option("--by", options.request.by, "The inputs that --adjoint is for, by name; otherwise all: sh,direction")
+      ->delimiter(',');
   app.add_option("--plan", options.plan,
                  "A plan, or a report that has one, in JSON: writes what it keeps, and zonal_gather_planned");
   app.add_option("--bands", options.bands, "Bands, 1 to " + std::to_string(zonal::shader::max_bands))
@@ -75,8 +81,11 @@ void run(Options& options) {
     return;
   }
   if (!options.plan.empty()) read_plan(options);
-  if (options.request.functions.empty() && !options.request.plan) {
+  if (options.request.functions.empty() && options.request.adjoints.empty() && !options.request.plan) {
     throw RequestError("--functions names none (--list names them all)");
+  }
+  if (!options.request.by.empty() && options.request.adjoints.empty()) {
+    throw RequestError("--by: there is no --adjoint");
   }
   options.request.text.compound = !options.temporaries;
   const std::string text =

@@ -21,6 +21,8 @@ struct RequestError : std::runtime_error {
 /// them what a plan asks for.
 struct Request {
   std::vector<std::string> functions;
+  std::vector<std::string> adjoints;  // the same, with derivatives; no shells
+  std::vector<std::string> by;        // inputs, of all adjoints; if none, all
   int bands = 5;
   std::optional<zonal::shader::PlannedMaterials> plan;
   std::string plan_name;  // for the heading

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -27,8 +28,9 @@ struct RecordedFunction {
   std::string remark;   // a further line, or none: which coefficients it has, if not all
   std::vector<Parameter> parameters;
   std::unique_ptr<Recording> recording;
-  std::vector<Recorder> outputs;  // of all outputs and inouts, one after the other
-  std::vector<bool> kept;         // which of them are written: of an inout, those that change
+  std::vector<Recorder> outputs;      // of all outputs and inouts, one after the other
+  std::vector<bool> kept;             // which of them are written: of an inout, those that change
+  std::deque<std::string> own_names;  // of parameters that no kernel has named
 
   bool is_input(const Recorder& r) const {
     return !r.is_constant() && recording->lines()[static_cast<std::size_t>(r.line())].operation == Operation::input;

@@ -100,6 +100,7 @@ nlohmann::json plan_json(const Report& report) {
   const auto hits = static_cast<double>(std::max<std::size_t>(plan.hits, 1));
   nlohmann::json json{{"materials", materials},
                       {"horizon", name_of(horizon_names, report.options.horizon)},
+                      {"drawn_lights", true},
                       {"coefficient_bits", report.scene_plan->coefficient_bits},
                       {"half_error", report.scene_plan->half_error},
                       {"emission_bands", report.scene_plan->emission_bands},

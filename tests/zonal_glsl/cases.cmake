@@ -75,7 +75,7 @@ zonal_glsl_case("one file" 0 "x.glsl" "" --functions evaluate,cap,gather -o x.gl
 
 # Plans. bad_plan(<name> <pattern> <text of the plan> <what stands in its place>)
 if(nlohmann_json_FOUND)
-  set(plan [=[{"horizon": "smoothstep", "coefficient_bits": 16, "emission_bands": 2, "materials": [
+  set(plan [=[{"horizon": "smoothstep", "coefficient_bits": 16, "emission_bands": 2, "drawn_lights": false, "materials": [
     {"name": "clay", "receiving": {"symmetry": "zonal", "bands": 5, "left_out": [[3, 0]]}},
     {"name": "varnish", "receiving": {"symmetry": "mirror", "bands": 3, "left_out": []}}]}]=])
   file(WRITE ${work_dir}/inputs/plan.json "${plan}\n")
@@ -102,6 +102,7 @@ if(nlohmann_json_FOUND)
   bad_plan("bits" "coefficient_bits is neither 16 nor 32" "16" "24")
   bad_plan("many bits" "coefficient_bits is not a whole number from 16 to 32" "16" "1e300")
   bad_plan("too many bits" "has a number beyond all range" "16" "1e400")
+  bad_plan("drawn" "drawn_lights is neither true nor false" "false" "1")
   bad_plan("emission" "emission_bands is 5: shaders have 1 or 3" "\"emission_bands\": 2" "\"emission_bands\": 5")
   bad_plan("half a band" "materials.1..receiving.bands is not a whole number from 1 to 10" "3, \"left" "3.5, \"left")
   bad_plan("bands" "materials.1..receiving.bands is not a whole number from 1 to 10" "3, \"left" "11, \"left")

@@ -42,6 +42,11 @@ class Node {
     return static_cast<int>(number);
   }
 
+  bool flag() const {
+    if (!value_.is_boolean()) refuse("is neither true nor false");
+    return value_.get<bool>();
+  }
+
   template <class Value, std::size_t Size>
   Value one_of(const std::array<std::pair<const char*, Value>, Size>& names) const {
     std::string all;
@@ -114,6 +119,7 @@ zonal::shader::PlannedMaterials read_plan(const std::string& path) {
   if (plan.coefficient_bits != 16 && plan.coefficient_bits != 32)
     node["coefficient_bits"].refuse("is neither 16 nor 32");
   plan.emission_bands = emission_bands(node["emission_bands"]);
+  plan.is_drawn = node["drawn_lights"].flag();
   const Node materials = node["materials"];
   if (materials.size() == 0) materials.refuse("is empty");
   for (std::size_t i = 0; i < materials.size(); ++i) plan.receiving.push_back(coefficients(materials[i]["receiving"]));

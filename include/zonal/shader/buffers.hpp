@@ -9,6 +9,7 @@
 //
 //   of                 floats                                      read by (shells.hpp)
 //   HvlCache           ZONAL_LIGHT(i), light after light           gather; of one band gather_diffuse
+//   DrawnLights        the same, of several draws                 gather_drawn
 //   MaterialTable      ZONAL_MATERIAL(i), two numbers, F, F'       material_with_cosine, material_without_cosine
 //   KeptTable          the same, two numbers, F of what is kept    what zonal-glsl --plan writes
 //   CoefficientGrid    ZONAL_GRID(i), vertex after vertex          interpolate_trilinear, interpolate_hermite
@@ -26,6 +27,7 @@
 #include "../gather/hvl.hpp"
 #include "../grid/coefficient_grid.hpp"
 #include "../grid/visibility.hpp"
+#include "../many_lights/drawn_lights.hpp"
 #include "../material/material_table.hpp"
 #include "../plan/kept_table.hpp"
 #include "../scalar/half.hpp"
@@ -53,6 +55,29 @@ std::vector<float> shader_buffer(const HvlCache<NE>& cache) {
     detail::refuse("virtual lights of anisotropic materials, which shaders do not gather");
   }
   return cache.isotropic().by_record();
+}
+
+/// Lights that were drawn, for `gather_drawn`: the lights of one draw after the other, each as above, and of each draw
+/// three numbers, its first light, how many are clear of the horizon, and how many across it.
+struct DrawnBuffer {
+  std::vector<float> lights;
+  std::vector<std::uint32_t> draws;
+};
+template <int NE>
+DrawnBuffer shader_buffer(const std::vector<DrawnLights<NE>>& draws) {
+  DrawnBuffer buffer;
+  int first = 0;
+  for (const DrawnLights<NE>& drawn : draws) {
+    for (const int number : {first, drawn.clear.size(), drawn.across.size()}) {
+      buffer.draws.push_back(std::uint32_t(number));
+    }
+    for (const HvlCache<NE>* lights : {&drawn.clear, &drawn.across}) {
+      const std::vector<float> floats = shader_buffer(*lights);
+      buffer.lights.insert(buffer.lights.end(), floats.begin(), floats.end());
+    }
+    first += drawn.size();
+  }
+  return buffer;
 }
 
 /// The material, 2 + 6 rows row_size floats:

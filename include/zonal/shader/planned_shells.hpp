@@ -28,6 +28,7 @@ struct PlannedMaterials {
   int emission_bands = 3;
   Horizon horizon = Horizon::smoothstep;
   int coefficient_bits = 32;  // or 16
+  bool is_drawn = false;      // lights: those of DrawnLights, in place of all
 };
 
 /// Texts, and the recorded functions that they call, each with its number of bands.
@@ -49,7 +50,8 @@ struct PlannedClass {
 
   /// What is kept, by coefficient_index; a material of which nothing is kept has its first coefficient, which is zero.
   PlannedClass(const PlannedMaterials& plan, const CoefficientPlan& receiving)
-      : gather{plan.emission_bands, plan.horizon, receiving.symmetry}, bands(receiving.bands) {
+      : gather{plan.emission_bands, plan.horizon, receiving.symmetry, false, {}, plan.is_drawn},
+        bands(receiving.bands) {
     for (int l = 0; l < bands; ++l) {
       for (int m = 0; m <= l && has_order(receiving.symmetry, m); ++m) gather.kept.push_back(receiving.keeps(l, m));
     }
@@ -88,7 +90,7 @@ inline std::string planned_gather_text(const std::vector<PlannedClass>& classes,
     const std::string choice = R"(  $IF{
     $vec3 f[$SIZE];
     zonal_$MATERIAL(table, cos_outgoing, f);
-    return zonal_$GATHER(light_count, position, normal, $TANGENTf);
+    return zonal_$GATHER($ARGUMENTS, position, normal, $TANGENTf);
   }
 )";
     const bool is_zonal = classes[k].gather.symmetry == Symmetry::zonal;
@@ -99,13 +101,19 @@ inline std::string planned_gather_text(const std::vector<PlannedClass>& classes,
                                    {"$TANGENT", is_zonal ? "" : "zonal_tangent_towards(normal, to_eye), "}});
   }
   const std::string text =
-      R"(// The outgoing radiance that all virtual lights cause at a surface of the material that has this number in the plan.
+      R"(// The outgoing radiance that $LIGHTS cause at a surface of the material that has this number in the plan.
 // `table` is the number of the first float of its table; see KeptTable and shader_buffer (zonal/shader/buffers.hpp).
-$vec3 zonal_gather_planned($uint material, $uint table, $uint light_count, $vec3 position, $vec3 normal, $vec3 to_eye) {
+$vec3 zonal_gather_planned($uint material, $uint table, $COUNT, $vec3 position, $vec3 normal,
+    $vec3 to_eye) {
   $precise $float cos_outgoing = normal.x * to_eye.x + normal.y * to_eye.y + normal.z * to_eye.z;
 $CHOICES}
 )";
-  return substitute(text, {{"$CHOICES", choices}});
+  const bool is_drawn = classes.front().gather.is_drawn;
+  return substitute(
+      text, {{"$CHOICES", choices},
+             {"$ARGUMENTS", is_drawn ? "first, clear_count, across_count" : "light_count"},
+             {"$LIGHTS", is_drawn ? "lights drawn in place of all" : "all virtual lights"},
+             {"$COUNT", is_drawn ? "$uint first, $uint clear_count, $uint across_count" : "$uint light_count"}});
 }
 
 }  // namespace detail

@@ -76,21 +76,27 @@ std::vector<ShellNeed> with_orders(int bands, bool is_reversed) {
 // ---- The gather of virtual lights -----------------------------------------------------------------------------------
 
 /// A loop over lights around the kernel of the virtual lights: which one; of a receiver's coefficients all, or those
-/// kept; and whether order by order.
+/// kept; whether order by order; and whether over lights that a cut has drawn, some of them clear of the horizon.
 struct GatherLoop {
   int emission_bands;
   Horizon horizon;
   Symmetry symmetry;
   bool is_reversed = false;
   std::vector<bool> kept = {};  // by coefficient_index
+  bool is_drawn = false;
 
-  std::string name_of(std::string_view first) const {
-    return kernels::hvl_name(first, emission_bands, horizon, symmetry).text;
+  std::string kernel() const { return kernel(horizon); }
+  std::string kernel(Horizon of) const { return name_of("hvl_radiance", of); }
+  std::string name() const {
+    return name_of(is_drawn ? "gather_drawn" : "gather", horizon) + (is_reversed ? "_reversed" : "");
   }
-  std::string kernel() const { return name_of("hvl_radiance"); }
-  std::string name() const { return name_of("gather") + (is_reversed ? "_reversed" : ""); }
   Part part() const { return kept.empty() ? Part() : Part("material", kept); }
   int material_size(int bands) const { return kept.empty() ? coefficient_count(symmetry, bands) : part().kept_count(); }
+
+ private:
+  std::string name_of(std::string_view first, Horizon of) const {
+    return kernels::hvl_name(first, emission_bands, of, symmetry).text;
+  }
 };
 
 inline std::string load_light(int size) {
@@ -103,6 +109,14 @@ inline std::string load_light(int size) {
     emission += ");\n";
   }
   return emission;
+}
+
+inline std::vector<ShellNeed> gather_needs(const GatherLoop& gather, int bands) {
+  if (gather.is_drawn) return {{gather.kernel(Horizon::none), gather.part()}, {gather.kernel(), gather.part()}};
+  if (!gather.is_reversed) return {{gather.kernel(), gather.part()}};
+  std::vector<ShellNeed> needs;
+  for (int m = 0; m < bands; ++m) needs.push_back({gather.kernel(), m});
+  return needs;
 }
 
 inline std::string gather_text(const GatherLoop& gather, int bands) {
@@ -126,46 +140,56 @@ zonal_Hvl_$NE zonal_load_hvl_$NE($uint i) {
 $EMISSION  return hvl;
 }
 #endif
-// The outgoing radiance that all virtual lights cause; see gather (zonal/gather/hvl.hpp). $WHICH
-$vec3 zonal_$NAME($uint light_count, $vec3 position, $vec3 normal, $TANGENTin $vec3 material[$MATERIAL]) {
+// The outgoing radiance that $LIGHTS. $WHICH
+$vec3 zonal_$NAME($COUNT $vec3 position, $vec3 normal, $TANGENTin $vec3 material[$MATERIAL]) {
   $precise $vec3 sum = vec3(0.0f);
 $LOOPS  return max(sum, vec3(0.0f));
 }
 )";
-  const std::string loop = R"(  for ($uint i = 0u; i < light_count; ++i) {
+  const std::string loop = R"(  for ($uint i = $BEGIN; i < $END; ++i) {
     zonal_Hvl_$NE hvl = zonal_load_hvl_$NE(i);
     sum += zonal_$RADIANCE_$N$SUFFIX(hvl.position, hvl.normal, hvl.tangent, hvl.radius, hvl.emission,
                                      position, normal, $OFmaterial);
   }
 )";
+  const auto loop_of = [&](const std::string& kernel, const std::string& its_suffix, const std::string& begin,
+                           const std::string& end) {
+    return substitute(loop, {{"$RADIANCE", kernel}, {"$SUFFIX", its_suffix}, {"$BEGIN", begin}, {"$END", end}});
+  };
   const bool is_zonal = gather.symmetry == Symmetry::zonal;
   const int emission_size = EvenEmission::size(gather.emission_bands);
   const std::string suffix = gather.part().suffix();
+  std::string loops;
+  if (gather.is_drawn) {
+    loops = loop_of(gather.kernel(Horizon::none), suffix, "first", "first + clear_count") +
+            loop_of(gather.kernel(), suffix, "first + clear_count", "first + clear_count + across_count");
+  } else {
+    for (const ShellNeed& need : gather_needs(gather, bands)) {
+      loops += loop_of(need.function, need.part.suffix(), "0u", "light_count");
+    }
+  }
   return substitute(
-      text, {{"$LOOPS", light_loops(loop, gather.is_reversed ? order_suffixes<kernels::HvlRadiance<3>>(bands, true)
-                                                             : std::vector<std::string>{suffix})},
-             {"$WHICH",
-              is_zonal ? "`material` is F of m = 0."
-                       : "`material` is F of m >= 0 at the\n// outgoing direction, which lies in the plane of normal "
-                         "and tangent."},
-             {"$TANGENT", is_zonal ? "" : "$vec3 tangent, "},
-             {"$OF", is_zonal ? "" : "tangent, "},
-             {"$RADIANCE", gather.kernel()},
-             {"$FIELDS", std::to_string(10 + 3 * emission_size)},
-             {"$SIZE", std::to_string(emission_size)},
-             {"$EMISSION", load_light(emission_size)},
-             {"$MATERIAL", std::to_string(gather.material_size(bands))},
-             {"$NAME", gather.name() + "_$N" + suffix},
-             {"$NE", std::to_string(gather.emission_bands)},
-             {"$N", std::to_string(bands)}});
+      text,
+      {{"$LOOPS", loops},
+       {"$LIGHTS", gather.is_drawn ? "lights drawn in place of all cause, from the first on those clear of the "
+                                     "horizon, then\n// those across it; see DrawnLights "
+                                     "(zonal/many_lights/drawn_lights.hpp)"
+                                   : "all virtual lights cause; see gather (zonal/gather/hvl.hpp)"},
+       {"$COUNT", gather.is_drawn ? "$uint first, $uint clear_count, $uint across_count,\n   " : "$uint light_count,"},
+       {"$WHICH", is_zonal
+                      ? "`material` is F of m = 0."
+                      : "`material` is F of m >= 0 at the\n// outgoing direction, which lies in the plane of normal "
+                        "and tangent."},
+       {"$TANGENT", is_zonal ? "" : "$vec3 tangent, "},
+       {"$OF", is_zonal ? "" : "tangent, "},
+       {"$FIELDS", std::to_string(10 + 3 * emission_size)},
+       {"$SIZE", std::to_string(emission_size)},
+       {"$EMISSION", load_light(emission_size)},
+       {"$MATERIAL", std::to_string(gather.material_size(bands))},
+       {"$NAME", gather.name() + "_$N" + suffix},
+       {"$NE", std::to_string(gather.emission_bands)},
+       {"$N", std::to_string(bands)}});
 }
-inline std::vector<ShellNeed> gather_needs(const GatherLoop& gather, int bands) {
-  if (!gather.is_reversed) return {{gather.kernel(), gather.part()}};
-  std::vector<ShellNeed> needs;
-  for (int m = 0; m < bands; ++m) needs.push_back({gather.kernel(), m});
-  return needs;
-}
-
 // ---- Materials ------------------------------------------------------------------------------------------------------
 
 /// How a table is read: what it is called, what it gives, where its rows begin and where a coefficient stands in one.
@@ -432,13 +456,14 @@ inline std::vector<ShellNeed> filter_needs(int) { return {{kernels::IsSameSurfac
 
 }  // namespace detail
 
-/// A gather as a shell: by its kernel, in one loop or in one for each order.
-template <int NE, Horizon horizon = Horizon::smoothstep, Symmetry symmetry = Symmetry::mirror>
+/// A gather as a shell: by its kernel, in one loop or in one for each order, of all lights or of some that were drawn.
+template <int NE, Horizon horizon = Horizon::smoothstep, Symmetry symmetry = Symmetry::mirror, bool is_drawn = false>
 struct Gather {
-  static constexpr kernels::JoinedName name = kernels::hvl_name("gather", NE, horizon, symmetry);
+  static constexpr kernels::JoinedName name =
+      kernels::hvl_name(is_drawn ? "gather_drawn" : "gather", NE, horizon, symmetry);
   template <bool is_reversed>
   static detail::GatherLoop loop() {
-    return {NE, horizon, symmetry, is_reversed};
+    return {NE, horizon, symmetry, is_reversed, {}, is_drawn};
   }
   template <bool is_reversed = false>
   static constexpr Shell shell(std::string_view the_name, std::string_view summary) {
@@ -469,6 +494,12 @@ inline constexpr Shell shells[] = {
     Gather<1, Horizon::exact, Symmetry::zonal>::shell(),
     Gather<3, Horizon::none, Symmetry::zonal>::shell(),
     Gather<1, Horizon::none, Symmetry::zonal>::shell(),
+    Gather<3, Horizon::smoothstep, Symmetry::mirror, true>::shell("gather_drawn",
+                                                                  "Lights that a cut has drawn of all."),
+    Gather<1, Horizon::smoothstep, Symmetry::mirror, true>::shell("gather_drawn_diffuse",
+                                                                  "The same, diffuse emission."),
+    Gather<3, Horizon::smoothstep, Symmetry::zonal, true>::shell("gather_drawn_zonal", "The same at such a receiver."),
+    Gather<1, Horizon::smoothstep, Symmetry::zonal, true>::shell("gather_drawn_zonal_diffuse", "The same of both."),
     {"material_with_cosine", "A material's F at an outgoing direction: what the gathers take.", detail::material_needs,
      detail::material_text<true>},
     {"material_about_axis", "Its F of m = 0 alone: what the zonal gathers take.", detail::material_needs,

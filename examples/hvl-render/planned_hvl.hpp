@@ -1,8 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -29,21 +31,19 @@ class PlannedHvl final : public PlannedGatherer {
   PlannedHvl(const GatherInput& input, const ScenePlan& plan) : input_(input) {
     zonal::HvlCache<NE> lights(lit(input.map));
     tree_ = zonal::HvlTree<NE>(lights, [](int count, const auto& body) { tbb::parallel_for(0, count, body); });
+    if (tree_.size() > 0) turn_length_ = 0.2f * glm::length(tree_.tree().node(0).reach);
     if (input.options.checked_share > 0.0f) lights_ = std::move(lights);
     for (const MaterialNeeds& material : plan.materials) symmetry_.push_back(material.receiving.symmetry);
     for (std::size_t i = 0; i < input.materials.receiving.size(); ++i) one_colour_.push_back(one_colour(i));
-    // The rest is for what the glance is off by.
-    tolerance_.relative = 0.95f * static_cast<float>(input.options.tolerance);
-    tolerance_.with_visibility = input.options.centre_visibility;
   }
 
   void add(Image& image, const PrimaryHits& hits, const Stage& stage) override {
-    const Tiles tiles(image.width, hits);
-    if (!(tolerance_.typical_radiance > 0.0f)) tolerance_.typical_radiance = glance(tiles, hits);
-    figures_ += for_each_tile(tiles, 1, [&](const Tile& tile, Scratch& scratch) {
+    const Tiles tiles(image.width, hits, tree_.size());
+    if (!of_one_light_) glance(tiles, hits);
+    figures_ += for_each_tile<PlanFigures>(tiles, true, [&](const Tile& tile, Scratch& scratch) {
       collect(tile, hits, scratch);
-      const PlanFigures figures =
-          for_each_group(scratch, [&](const Group& group) { return add_group(image, hits, group, scratch); });
+      const PlanFigures figures = for_each_group<PlanFigures>(
+          scratch, [&](const Group& group) { return add_group(image, hits, group, scratch); });
       stage.progress.advance(stage.label, stage.cost_per_pixel * tile.width * tile.height);
       return figures;
     });
@@ -57,6 +57,8 @@ class PlannedHvl final : public PlannedGatherer {
   }
 
  private:
+  static constexpr int few_lights = 2000;
+
   /// Pixels of the slice.
   struct Tile {
     int left, top, width, height;
@@ -64,9 +66,12 @@ class PlannedHvl final : public PlannedGatherer {
   struct Tiles {
     int width, height, side, across, down;
 
-    /// A twentieth of the picture across: cuts then cost little, and few surfaces change much within a tile.
-    Tiles(int image_width, const PrimaryHits& hits)
-        : width(image_width), height(hits.slice().rows), side(std::clamp(image_width / 80 * 4, 8, 64)) {
+    /// A twentieth of the picture across: few surfaces change much within a tile. Of few lights a cut costs more than
+    /// it saves where fewer hits share it.
+    Tiles(int image_width, const PrimaryHits& hits, int lights)
+        : width(image_width),
+          height(hits.slice().rows),
+          side(std::clamp(image_width / 80 * (lights < few_lights ? 6 : 4), 8, 96)) {
       // About as many hits, whatever is seen of a pixel.
       side = std::max(4, static_cast<int>(side / std::sqrt(static_cast<double>(hits.per_pixel()))) / 4 * 4);
       across = (width + side - 1) / side;
@@ -85,9 +90,12 @@ class PlannedHvl final : public PlannedGatherer {
     std::size_t pixel, sample;
     std::uint32_t pattern;  // 0 to 15, by which it takes a draw
   };
+  /// Hits that share a cut, in parts of neighbours.
   struct Group {
     zonal::GroupedReceiver* receivers;
-    int count;
+    zonal::ReceiverParts<zonal::cut_receivers> parts;
+
+    int count() const { return parts.size(); }
   };
   /// A material that looks the same from everywhere, in one colour: Lambert's.
   struct OneColour {
@@ -97,55 +105,77 @@ class PlannedHvl final : public PlannedGatherer {
   /// What a thread works with.
   struct Scratch {
     std::vector<Place> places;
-    std::vector<zonal::GroupedReceiver> receivers;
+    std::vector<zonal::GroupedReceiver> receivers, few;  // all, and those of small groups
     std::vector<zonal::DrawnLights<NE>> draws;
     std::optional<zonal::LightCut<N, NE, H>> cut;
+    float tilt = 0;
+    std::array<int, zonal::cut_receivers> chosen;  // one of each part of the group
 
     const Place& place(const Group& group, int i) const {
       return places[static_cast<std::size_t>(group.receivers[i].index)];
     }
   };
 
-  /// The sum of body(tile, scratch) over every step-th tile, on all threads, added up in order.
-  template <class Body>
-  PlanFigures for_each_tile(const Tiles& tiles, int step, const Body& body) {
-    std::vector<PlanFigures> figures(static_cast<std::size_t>(tiles.count()));
-    tbb::parallel_for(0, tiles.count(), step, [&](int number) {
-      if (!stop_requested()) figures[static_cast<std::size_t>(number)] = body(tiles[number], scratch_.local());
+  /// The sum of body(tile, scratch) over all tiles, or a fifth of them, on all threads, added up in order.
+  template <class Sum, class Body>
+  Sum for_each_tile(const Tiles& tiles, bool all, const Body& body) {
+    std::vector<Sum> sums(static_cast<std::size_t>(tiles.count()));
+    tbb::parallel_for(0, tiles.count(), [&](int number) {
+      const bool is_wanted = all || (number % tiles.across + 2 * (number / tiles.across)) % 5 == 0;
+      if (is_wanted && !stop_requested())
+        sums[static_cast<std::size_t>(number)] = body(tiles[number], scratch_.local());
     });
     throw_if_interrupted();
-    PlanFigures sum;
-    for (const PlanFigures& tile : figures) sum += tile;
-    return sum;
+    Sum total;
+    for (const Sum& sum : sums) total += sum;
+    return total;
   }
 
-  /// The sum of body(group) over the groups of a tile, with their cuts found.
-  template <class Body>
-  PlanFigures for_each_group(Scratch& scratch, const Body& body) const {
-    PlanFigures sum;
-    zonal::for_each_receiver_group(scratch.receivers.data(), static_cast<int>(scratch.receivers.size()),
-                                   [&](zonal::GroupedReceiver* receivers, int count) {
-                                     sum += for_each_part(Group{receivers, count}, scratch, body);
-                                   });
-    return sum;
-  }
-
-  /// Parts a group of which some are so much nearer to lights that those chosen do not tell of all.
-  template <class Body>
-  PlanFigures for_each_part(const Group& group, Scratch& scratch, const Body& body) const {
-    constexpr int least_count = 32;
-    const auto is_uneven = [&](const zonal::CutTolerance& tolerance, double most) {
-      find_cut(group, tolerance, scratch);
-      return group.count >= 2 * least_count && scratch.cut->unevenness() > most;
+  /// The sum of body(group) over the groups of a tile, with their cuts found: hits of one material on one surface, or
+  /// of up to eight such groups that are too small for a cut of their own.
+  template <class Sum, class Body>
+  Sum for_each_group(Scratch& scratch, const Body& body) const {
+    const int least_count = tree_.size() < few_lights ? 256 : 64;
+    Sum sum;
+    Group few{nullptr, {}};
+    scratch.few.clear();
+    const auto visit = [&](Group& group) {
+      group.parts.halve_all(group.receivers, turn_length_);
+      find_cut(group, scratch);
+      sum += body(group);
     };
-    zonal::CutTolerance coarse = tolerance_;
-    coarse.relative = std::max(coarse.relative, 0.2f);
-    if (is_uneven(coarse, 3.0) || is_uneven(tolerance_, 4.0)) {
-      const int half = zonal::halve_receivers(group.receivers, group.count);
-      PlanFigures sum = for_each_part({group.receivers, half}, scratch, body);
-      return sum += for_each_part({group.receivers + half, group.count - half}, scratch, body);
+    const auto visit_few = [&] {
+      few.receivers = scratch.few.data();
+      visit(few);
+      few.parts = {};
+      scratch.few.clear();
+    };
+    for_each_surface(scratch, [&](zonal::GroupedReceiver* receivers, int count) {
+      if (count >= least_count) {
+        Group group{receivers, {}};
+        group.parts.add(count);
+        return visit(group);
+      }
+      scratch.few.insert(scratch.few.end(), receivers, receivers + count);
+      few.parts.add(count);
+      if (few.parts.parts == zonal::cut_receivers || few.count() >= least_count) visit_few();
+    });
+    if (few.count() > 0) visit_few();
+    return sum;
+  }
+
+  template <class Visit>
+  void for_each_surface(Scratch& scratch, const Visit& visit) const {
+    auto& all = scratch.receivers;
+    const auto material = [&](const zonal::GroupedReceiver& receiver) {
+      return scratch.places[static_cast<std::size_t>(receiver.index)].hit->material;
+    };
+    std::stable_sort(all.begin(), all.end(), [&](const auto& a, const auto& b) { return material(a) < material(b); });
+    for (auto first = all.begin(), last = first; first != all.end(); first = last) {
+      last =
+          std::find_if(first, all.end(), [&](const auto& receiver) { return material(receiver) != material(*first); });
+      zonal::for_each_receiver_group(&*first, static_cast<int>(last - first), visit);
     }
-    return body(group);
   }
 
   void collect(const Tile& tile, const PrimaryHits& hits, Scratch& scratch) const {
@@ -168,64 +198,119 @@ class PlannedHvl final : public PlannedGatherer {
     }
   }
 
-  /// The tolerance's typical radiance, by cuts at some of the tiles.
-  float glance(const Tiles& tiles, const PrimaryHits& hits) {
-    constexpr int one_of = 3;
-    const PlanFigures figures = for_each_tile(tiles, one_of, [&](const Tile& tile, Scratch& scratch) {
-      collect(tile, hits, scratch);
-      return for_each_group(scratch, [&](const Group& group) {
-        PlanFigures seen;
-        seen.hits = static_cast<std::size_t>(group.count);
-        seen.magnitude = std::sqrt(scratch.cut->power()) * group.count;
-        draw(group, 1, scratch);
-        for (int i = 0; i < zonal::cut_receivers; ++i) {
-          const glm::vec3 radiance = gather(scratch.draws[0], *chosen(group, i, scratch).hit);
-          seen.power += power_of(radiance) * group.count / zonal::cut_receivers;
-        }
-        return seen;
+  /// Finds what one light may deviate by, so that all of the picture is within the tolerance: by cuts at some tiles.
+  void glance(const Tiles& tiles, const PrimaryHits& hits) {
+    constexpr int most_passes = 5;
+    constexpr double margin = 0.97, near = 0.1;  // for the other tiles; relative
+    // The variance is about as some power of that of one light: of very many lights 2/3, for the deviation is as one
+    // over the lights that are drawn; of few more, for ever more of them are taken as they are.
+    double power = 1.35 - 0.115 * std::log10(static_cast<double>(std::max(tree_.size(), 1)));
+    const double first_power = 0.8 * power;
+    double last = 0.0, last_variance = 0.0;
+    for (int pass = 0; pass < most_passes; ++pass) {
+      const Glance seen = for_each_tile<Glance>(tiles, false, [&](const Tile& tile, Scratch& scratch) {
+        collect(tile, hits, scratch);
+        return for_each_group<Glance>(scratch, [&](const Group& group) { return glance(group, first_power, scratch); });
       });
-    });
-    return figures.magnitude > 0.0 ? static_cast<float>(figures.power / figures.magnitude) : 0.0f;
+      const double target = std::pow(margin * input_.options.tolerance, 2) * seen.power;
+      if (!(seen.variance > 0.0)) {  // no cluster of more than one light adds anything
+        of_one_light_ = of_one_light_.value_or(std::numeric_limits<float>::max());
+        return;
+      }
+      if (!of_one_light_) {
+        of_one_light_ = std::pow(target / seen.scaled, 1.0 / first_power);
+        continue;
+      }
+      if (last > 0.0) {
+        const double seen_power = std::log(seen.variance / last_variance) / std::log(*of_one_light_ / last);
+        if (seen_power > 0.0) power = std::clamp(seen_power, 0.3, 3.0);
+      }
+      last = *of_one_light_, last_variance = seen.variance;
+      of_one_light_ = last * std::pow(target / seen.variance, 1.0 / power);
+      if (std::abs(seen.variance - target) < near * target) return;
+    }
+  }
+
+  struct Glance {
+    double power = 0.0, variance = 0.0;
+    double scaled = 0.0;  // the variance over a power of that of one light
+
+    Glance& operator+=(const Glance& other) {
+      power += other.power, variance += other.variance, scaled += other.scaled;
+      return *this;
+    }
+  };
+  Glance glance(const Group& group, double power, Scratch& scratch) const {
+    Glance seen;
+    seen.variance = scratch.cut->variance() * group.count();
+    if (seen.variance > 0.0) seen.scaled = seen.variance / std::pow(scratch.cut->greatest_variance(), power);
+    draw(group, 1, scratch);
+    for (int part = 0; part < group.parts.parts; ++part) {
+      const Place& place = scratch.place(group, scratch.chosen[static_cast<std::size_t>(part)]);
+      seen.power += power_of(gather(scratch.draws[0], *place.hit)) * group.parts.size(part);
+    }
+    return seen;
+  }
+
+  zonal::CutTolerance tolerance_of(const Group& group) const {
+    constexpr double cut_cost = 400.0;  // gathers of a light that cost as much as to find and draw it for all
+    zonal::CutTolerance tolerance;
+    tolerance.with_visibility = input_.options.centre_visibility;
+    tolerance.relative = 2.0f * static_cast<float>(input_.options.tolerance);  // at first, each group alike
+    if (of_one_light_) tolerance.of_one_light = static_cast<float>(*of_one_light_ * (1.0 + cut_cost / group.count()));
+    return tolerance;
   }
 
   std::uint64_t seed_of(const Group& group, const Scratch& scratch) const {
     return hash64(input_.options.seed ^ hash64(scratch.place(group, 0).sample));
   }
 
-  /// One of those that stand for the group.
-  const Place& chosen(const Group& group, int i, const Scratch& scratch) const {
-    const std::uint64_t seed = seed_of(group, scratch);
-    const double part = (i + zonal::detail::scatter(seed, static_cast<std::uint64_t>(i))) / zonal::cut_receivers;
-    return scratch.place(group, std::min(static_cast<int>(part * group.count), group.count - 1));
-  }
-
-  void find_cut(const Group& group, const zonal::CutTolerance& tolerance, Scratch& scratch) const {
+  /// For one of each part, at random, that stands for the part.
+  void find_cut(const Group& group, Scratch& scratch) const {
     zonal::BoundedReceiver<N, float> receivers[zonal::cut_receivers];
-    for (int i = 0; i < zonal::cut_receivers; ++i) receivers[i] = bounded(*chosen(group, i, scratch).hit);
+    scratch.tilt = 0;
+    for (int part = 0; part < group.parts.parts; ++part) {
+      const int first = group.parts.first[part], size = group.parts.size(part);
+      const double place = zonal::detail::scatter(seed_of(group, scratch), static_cast<std::uint64_t>(part)) * size;
+      const int chosen = first + std::min(static_cast<int>(place), size - 1);
+      scratch.chosen[static_cast<std::size_t>(part)] = chosen;
+      zonal::Box3 positions;
+      float chord = 0.0f;
+      for (int i = first; i < first + size; ++i) {
+        positions.add(group.receivers[i].position);
+        chord = std::max(chord, glm::distance(group.receivers[i].normal, group.receivers[chosen].normal));
+      }
+      const float tilt = 2.0f * std::asin(std::min(0.5f * chord, 1.0f));
+      scratch.tilt = std::max(scratch.tilt, tilt);
+      const float weight = static_cast<float>(zonal::cut_receivers * size) / static_cast<float>(group.count());
+      receivers[part] =
+          zonal::weighted(zonal::spread_over(bounded(*scratch.place(group, chosen).hit), positions, tilt), weight);
+    }
+    std::fill(receivers + group.parts.parts, receivers + zonal::cut_receivers, zonal::weighted(receivers[0], 0.0f));
     if (!scratch.cut) scratch.cut.emplace(tree_.tree());
-    scratch.cut->find(zonal::as_packet(receivers), tolerance);
+    scratch.cut->find(zonal::as_packet(receivers), tolerance_of(group));
   }
 
   void draw(const Group& group, int draws, Scratch& scratch) const {
     scratch.draws.resize(static_cast<std::size_t>(draws));
     zonal::ReceiverBox box;
-    for (int i = 0; i < group.count; ++i) box.add(group.receivers[i].position, group.receivers[i].normal);
+    for (int i = 0; i < group.count(); ++i) box.add(group.receivers[i].position, group.receivers[i].normal);
     tree_.draw(*scratch.cut, box, seed_of(group, scratch), scratch.draws);
   }
 
   PlanFigures add_group(Image& image, const PrimaryHits& hits, const Group& group, Scratch& scratch) const {
     const zonal::LightCut<N, NE, H>& cut = *scratch.cut;
-    constexpr int most_draws = 8, hits_of_a_draw = 12;
-    const int draws = std::clamp(group.count / hits_of_a_draw, 1, most_draws);
+    constexpr int most_draws = 4, hits_of_a_draw = 96;
+    const int draws = std::clamp(group.count() / hits_of_a_draw, 1, most_draws);
     draw(group, draws, scratch);
 
     PlanFigures figures;
-    figures.hits = static_cast<std::size_t>(group.count), figures.groups = 1;
-    figures.variance = cut.variance() * group.count;
-    figures.cut_lights = static_cast<double>(cut.size()) * group.count;
-    for (const auto& drawn : scratch.draws) figures.pairs += static_cast<double>(drawn.size()) * group.count / draws;
+    figures.hits = static_cast<std::size_t>(group.count()), figures.groups = 1;
+    figures.variance = cut.variance() * group.count();
+    figures.cut_lights = static_cast<double>(cut.size()) * group.count();
+    for (const auto& drawn : scratch.draws) figures.pairs += static_cast<double>(drawn.size()) * group.count() / draws;
     for (std::uint32_t number = 0; number < static_cast<std::uint32_t>(draws); ++number) {
-      for (int i = 0; i < group.count; ++i) {
+      for (int i = 0; i < group.count(); ++i) {
         const Place& place = scratch.place(group, i);
         if (place.pattern * static_cast<std::uint32_t>(draws) / 16 != number) continue;
         const glm::vec3 radiance = gather(scratch.draws[number], *place.hit);
@@ -259,7 +344,11 @@ class PlannedHvl final : public PlannedGatherer {
     if (const auto& anisotropic = input_.materials.anisotropic[hit.material]) {
       return zonal::bounded_receiver<N>(receiver, *anisotropic);
     }
-    return zonal::bounded_receiver(receiver, coefficients_at<N>(input_.materials, hit, receiver));
+    const auto coefficients = coefficients_at<N>(input_.materials, hit, receiver);
+    if (symmetry_[hit.material] == zonal::Symmetry::zonal) {
+      return zonal::bounded_receiver(receiver, about_axis(coefficients));
+    }
+    return zonal::bounded_receiver(receiver, coefficients);
   }
 
   zonal::Receiver receiver_at(const Hit& hit) const {
@@ -303,9 +392,10 @@ class PlannedHvl final : public PlannedGatherer {
   GatherInput input_;
   std::vector<zonal::Symmetry> symmetry_;             // of each material
   std::vector<std::optional<OneColour>> one_colour_;  // where it is one
-  zonal::CutTolerance tolerance_;
-  zonal::HvlCache<NE> lights_;  // to check
+  std::optional<double> of_one_light_;                // CutTolerance's, for a group of very many
+  zonal::HvlCache<NE> lights_;                        // to check
   zonal::HvlTree<NE> tree_;
+  float turn_length_ = 1.0f;  // a turn by 1 rad matters as much to a receiver as to move by that
   tbb::enumerable_thread_specific<Scratch> scratch_;
   PlanFigures figures_;
 };

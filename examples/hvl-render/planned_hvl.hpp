@@ -4,7 +4,6 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -39,11 +38,11 @@ class PlannedHvl final : public PlannedGatherer {
 
   void add(Image& image, const PrimaryHits& hits, const Stage& stage) override {
     const Tiles tiles(image.width, hits, tree_.size());
-    if (!of_one_light_) glance(tiles, hits);
+    const Rule rule = glance(tiles, hits);
     figures_ += for_each_tile<PlanFigures>(tiles, true, [&](const Tile& tile, Scratch& scratch) {
       collect(tile, hits, scratch);
       const PlanFigures figures = for_each_group<PlanFigures>(
-          scratch, [&](const Group& group) { return add_group(image, hits, group, scratch); });
+          scratch, rule, [&](const Group& group) { return add_group(image, hits, group, scratch); });
       stage.progress.advance(stage.label, stage.cost_per_pixel * tile.width * tile.height);
       return figures;
     });
@@ -102,13 +101,18 @@ class PlannedHvl final : public PlannedGatherer {
     zonal::Zh<N, float> coefficients;
     glm::vec3 colour;
   };
+  /// How finely the cuts of a slice are made: each by its own radiance, or, once it is known what a light may deviate
+  /// by for all to be within the tolerance, all by that, which costs less.
+  struct Rule {
+    float relative;
+    double of_one_light = 0.0;
+  };
   /// What a thread works with.
   struct Scratch {
     std::vector<Place> places;
     std::vector<zonal::GroupedReceiver> receivers, few;  // all, and those of small groups
     std::vector<zonal::DrawnLights<NE>> draws;
     std::optional<zonal::LightCut<N, NE, H>> cut;
-    float tilt = 0;
     std::array<int, zonal::cut_receivers> chosen;  // one of each part of the group
 
     const Place& place(const Group& group, int i) const {
@@ -122,8 +126,8 @@ class PlannedHvl final : public PlannedGatherer {
     std::vector<Sum> sums(static_cast<std::size_t>(tiles.count()));
     tbb::parallel_for(0, tiles.count(), [&](int number) {
       const bool is_wanted = all || (number % tiles.across + 2 * (number / tiles.across)) % 5 == 0;
-      if (is_wanted && !stop_requested())
-        sums[static_cast<std::size_t>(number)] = body(tiles[number], scratch_.local());
+      if (!is_wanted || stop_requested()) return;
+      sums[static_cast<std::size_t>(number)] = body(tiles[number], scratch_.local());
     });
     throw_if_interrupted();
     Sum total;
@@ -134,14 +138,14 @@ class PlannedHvl final : public PlannedGatherer {
   /// The sum of body(group) over the groups of a tile, with their cuts found: hits of one material on one surface, or
   /// of up to eight such groups that are too small for a cut of their own.
   template <class Sum, class Body>
-  Sum for_each_group(Scratch& scratch, const Body& body) const {
+  Sum for_each_group(Scratch& scratch, const Rule& rule, const Body& body) const {
     const int least_count = tree_.size() < few_lights ? 256 : 64;
     Sum sum;
     Group few{nullptr, {}};
     scratch.few.clear();
     const auto visit = [&](Group& group) {
       group.parts.halve_all(group.receivers, turn_length_);
-      find_cut(group, scratch);
+      find_cut(group, rule, scratch);
       sum += body(group);
     };
     const auto visit_few = [&] {
@@ -198,52 +202,54 @@ class PlannedHvl final : public PlannedGatherer {
     }
   }
 
-  /// Finds what one light may deviate by, so that all of the picture is within the tolerance: by cuts at some tiles.
-  void glance(const Tiles& tiles, const PrimaryHits& hits) {
+  /// By cuts at some tiles, ever nearer to the tolerance.
+  Rule glance(const Tiles& tiles, const PrimaryHits& hits) {
     constexpr int most_passes = 5;
     constexpr double margin = 0.97, near = 0.1;  // for the other tiles; relative
+    const double tolerance = input_.options.tolerance;
     // The variance is about as some power of that of one light: of very many lights 2/3, for the deviation is as one
     // over the lights that are drawn; of few more, for ever more of them are taken as they are.
-    double power = 1.35 - 0.115 * std::log10(static_cast<double>(std::max(tree_.size(), 1)));
-    const double first_power = 0.8 * power;
+    double exponent = 1.35 - 0.115 * std::log10(static_cast<double>(std::max(tree_.size(), 1)));
+    const double first_exponent = 0.8 * exponent;
+    Rule rule{2.0f * static_cast<float>(tolerance)};
     double last = 0.0, last_variance = 0.0;
     for (int pass = 0; pass < most_passes; ++pass) {
       const Glance seen = for_each_tile<Glance>(tiles, false, [&](const Tile& tile, Scratch& scratch) {
         collect(tile, hits, scratch);
-        return for_each_group<Glance>(scratch, [&](const Group& group) { return glance(group, first_power, scratch); });
+        return for_each_group<Glance>(scratch, rule,
+                                      [&](const Group& group) { return glance(group, first_exponent, scratch); });
       });
-      const double target = std::pow(margin * input_.options.tolerance, 2) * seen.power;
-      if (!(seen.variance > 0.0)) {  // no cluster of more than one light adds anything
-        of_one_light_ = of_one_light_.value_or(std::numeric_limits<float>::max());
-        return;
-      }
-      if (!of_one_light_) {
-        of_one_light_ = std::pow(target / seen.scaled, 1.0 / first_power);
+      const double target = std::pow(margin * tolerance, 2) * seen.power;
+      if (!(seen.variance > 0.0 && target > 0.0)) break;  // no cluster of more than one light adds anything
+      if (pass == 0) {
+        rule.of_one_light = std::pow(target / seen.scaled, 1.0 / first_exponent);
         continue;
       }
       if (last > 0.0) {
-        const double seen_power = std::log(seen.variance / last_variance) / std::log(*of_one_light_ / last);
-        if (seen_power > 0.0) power = std::clamp(seen_power, 0.3, 3.0);
+        const double seen_exponent = std::log(seen.variance / last_variance) / std::log(rule.of_one_light / last);
+        if (seen_exponent > 0.0) exponent = std::clamp(seen_exponent, 0.3, 3.0);
       }
-      last = *of_one_light_, last_variance = seen.variance;
-      of_one_light_ = last * std::pow(target / seen.variance, 1.0 / power);
-      if (std::abs(seen.variance - target) < near * target) return;
+      last = rule.of_one_light, last_variance = seen.variance;
+      rule.of_one_light *= std::pow(target / seen.variance, 1.0 / exponent);
+      if (std::abs(seen.variance - target) < near * target) break;
     }
+    rule.relative = static_cast<float>(tolerance);
+    return rule;
   }
 
   struct Glance {
     double power = 0.0, variance = 0.0;
-    double scaled = 0.0;  // the variance over a power of that of one light
+    double scaled = 0.0;  // the variance over that of one light to the exponent
 
     Glance& operator+=(const Glance& other) {
       power += other.power, variance += other.variance, scaled += other.scaled;
       return *this;
     }
   };
-  Glance glance(const Group& group, double power, Scratch& scratch) const {
+  Glance glance(const Group& group, double exponent, Scratch& scratch) const {
     Glance seen;
     seen.variance = scratch.cut->variance() * group.count();
-    if (seen.variance > 0.0) seen.scaled = seen.variance / std::pow(scratch.cut->greatest_variance(), power);
+    if (seen.variance > 0.0) seen.scaled = seen.variance / std::pow(scratch.cut->greatest_variance(), exponent);
     draw(group, 1, scratch);
     for (int part = 0; part < group.parts.parts; ++part) {
       const Place& place = scratch.place(group, scratch.chosen[static_cast<std::size_t>(part)]);
@@ -252,12 +258,12 @@ class PlannedHvl final : public PlannedGatherer {
     return seen;
   }
 
-  zonal::CutTolerance tolerance_of(const Group& group) const {
+  zonal::CutTolerance tolerance_of(const Group& group, const Rule& rule) const {
     constexpr double cut_cost = 400.0;  // gathers of a light that cost as much as to find and draw it for all
     zonal::CutTolerance tolerance;
     tolerance.with_visibility = input_.options.centre_visibility;
-    tolerance.relative = 2.0f * static_cast<float>(input_.options.tolerance);  // at first, each group alike
-    if (of_one_light_) tolerance.of_one_light = static_cast<float>(*of_one_light_ * (1.0 + cut_cost / group.count()));
+    tolerance.relative = rule.relative;
+    tolerance.of_one_light = static_cast<float>(rule.of_one_light * (1.0 + cut_cost / group.count()));
     return tolerance;
   }
 
@@ -266,9 +272,8 @@ class PlannedHvl final : public PlannedGatherer {
   }
 
   /// For one of each part, at random, that stands for the part.
-  void find_cut(const Group& group, Scratch& scratch) const {
+  void find_cut(const Group& group, const Rule& rule, Scratch& scratch) const {
     zonal::BoundedReceiver<N, float> receivers[zonal::cut_receivers];
-    scratch.tilt = 0;
     for (int part = 0; part < group.parts.parts; ++part) {
       const int first = group.parts.first[part], size = group.parts.size(part);
       const double place = zonal::detail::scatter(seed_of(group, scratch), static_cast<std::uint64_t>(part)) * size;
@@ -281,14 +286,13 @@ class PlannedHvl final : public PlannedGatherer {
         chord = std::max(chord, glm::distance(group.receivers[i].normal, group.receivers[chosen].normal));
       }
       const float tilt = 2.0f * std::asin(std::min(0.5f * chord, 1.0f));
-      scratch.tilt = std::max(scratch.tilt, tilt);
       const float weight = static_cast<float>(zonal::cut_receivers * size) / static_cast<float>(group.count());
       receivers[part] =
           zonal::weighted(zonal::spread_over(bounded(*scratch.place(group, chosen).hit), positions, tilt), weight);
     }
     std::fill(receivers + group.parts.parts, receivers + zonal::cut_receivers, zonal::weighted(receivers[0], 0.0f));
     if (!scratch.cut) scratch.cut.emplace(tree_.tree());
-    scratch.cut->find(zonal::as_packet(receivers), tolerance_of(group));
+    scratch.cut->find(zonal::as_packet(receivers), tolerance_of(group, rule));
   }
 
   void draw(const Group& group, int draws, Scratch& scratch) const {
@@ -392,7 +396,6 @@ class PlannedHvl final : public PlannedGatherer {
   GatherInput input_;
   std::vector<zonal::Symmetry> symmetry_;             // of each material
   std::vector<std::optional<OneColour>> one_colour_;  // where it is one
-  std::optional<double> of_one_light_;                // CutTolerance's, for a group of very many
   zonal::HvlCache<NE> lights_;                        // to check
   zonal::HvlTree<NE> tree_;
   float turn_length_ = 1.0f;  // a turn by 1 rad matters as much to a receiver as to move by that

@@ -26,9 +26,7 @@ template <class T>
 ZONAL_INLINE constexpr T horizon_smoothstep(const SphericalCap<T>& cap, const T& cos_angle) {
   // A point has no extent: it is above or below. The floor keeps 0/0 out and changes no sphere one can see.
   const T sine = maximum(cap.sin_angle, T(1e-18L));
-  if constexpr (sizeof(T) > 16) {
-    if (!(select(abs(cos_angle) < sine, T(1), T(0)).sum() > 0)) return select(cos_angle < T(0), T(0), T(1));
-  }
+  if (!AnyLane<T>::of(abs(cos_angle) < sine)) return select(cos_angle < T(0), T(0), T(1));  // far the most lights
   const T inside = clamp(cos_angle, -sine, sine);
   const T x = T(0.5L) + T(0.5L) * (asin(inside) / asin(sine));
   const T smooth = x * x * (T(3) - (x + x));

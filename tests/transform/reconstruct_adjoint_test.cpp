@@ -172,6 +172,48 @@ TEST_CASE("adjoint: a splat's colour is half more and at least 0, and at 0 itsel
   CHECK(reconstruct_along(sh, v) == 0);
 }
 
+// [Kerbl et al. 2023], as their renderer has it, with its constants.
+TEST_CASE("adjoint: a splat is what 3D Gaussian splatting makes of it") {
+  constexpr double c0 = 0.28209479177387814, c1 = 0.4886025119029199;
+  constexpr double c2[] = {1.0925484305920792, -1.0925484305920792, 0.31539156525252005, -1.0925484305920792,
+                           0.5462742152960396};
+  constexpr double c3[] = {-0.5900435899266435, 2.890611442640554, -0.4570457994644658, 0.3731763325901154,
+                           -0.4570457994644658, 1.445305721320277, -0.5900435899266435};
+  unsigned seed = 0;
+  for (const Sample<double>& sample : samples<double>(200, 0.1, 30.0)) {
+    const Vector3<double>& v = sample.vector;
+    const auto [x, y, z] = normalized(v[0], v[1], v[2]);
+    const double xx = x * x, yy = y * y, zz = z * z;
+    const double basis[16] = {c0,
+                              -c1 * y,
+                              c1 * z,
+                              -c1 * x,
+                              c2[0] * x * y,
+                              c2[1] * y * z,
+                              c2[2] * (2 * zz - xx - yy),
+                              c2[3] * x * z,
+                              c2[4] * (xx - yy),
+                              c3[0] * y * (3 * xx - yy),
+                              c3[1] * x * y * z,
+                              c3[2] * y * (4 * zz - xx - yy),
+                              c3[3] * z * (2 * zz - 3 * xx - 3 * yy),
+                              c3[4] * x * (4 * zz - xx - yy),
+                              c3[5] * z * (xx - yy),
+                              c3[6] * x * (xx - 3 * yy)};
+    const auto sh = coefficients<4, double>(++seed);
+    const auto found = reconstruct_with_adjoint<ColourRule::splat>(sh, v, sample.by_value);
+    for (int c = 0; c < 3; ++c) {
+      double sum = 0.5;
+      for (int i = 0; i < 16; ++i) sum += basis[i] * sh[i][c];
+      CAPTURE(v[0], v[1], v[2], c);
+      CHECK(std::abs(found.value[c] - std::max(sum, 0.0)) <= 1e-14);
+      for (int i = 0; i < 16; ++i) {
+        CHECK(std::abs(found.by_sh[i][c] - (sum < 0 ? 0 : basis[i] * sample.by_value[c])) <= 1e-14);
+      }
+    }
+  }
+}
+
 TEST_CASE("adjoint: colours of other libraries, channel by channel, and packets, lane by lane") {
   constexpr int N = 4, W = 8;
   using P = zonal::Packet<float, W>;

@@ -8,8 +8,8 @@
 
 #include <glm/vec3.hpp>
 
-#include "../environment/half.hpp"
 #include "../material/material_rows.hpp"
+#include "../scalar/half.hpp"
 #include "material_plan.hpp"
 
 namespace zonal {

@@ -23,12 +23,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "../environment/half.hpp"
 #include "../gather/hvl.hpp"
 #include "../grid/coefficient_grid.hpp"
 #include "../grid/visibility.hpp"
 #include "../material/material_table.hpp"
 #include "../plan/kept_table.hpp"
+#include "../scalar/half.hpp"
 #include "../scalar/refuse.hpp"
 #include "../screen/plane_picture.hpp"
 

@@ -13,10 +13,11 @@
 #include <tbb/parallel_for.h>
 
 #include <zonal/many_lights/hvl_tree.hpp>
-#include <zonal/many_lights/receiver_groups.hpp>
 
 #include "cached_gatherer.hpp"
+#include "cut_rule.hpp"
 #include "gather_hvl.hpp"
+#include "hit_groups.hpp"
 #include "planned_gather.hpp"
 #include "shared/random.hpp"
 
@@ -38,11 +39,17 @@ class PlannedHvl final : public PlannedGatherer {
 
   void add(Image& image, const PrimaryHits& hits, const Stage& stage) override {
     const Tiles tiles(image.width, hits, tree_.size());
-    const Rule rule = glance(tiles, hits);
+    const CutRule rule =
+        find_cut_rule(input_.options.tolerance, tree_.size(), [&](const CutRule& tried, double exponent) {
+          return for_each_tile<Glance>(tiles, false, [&](const Tile& tile, Scratch& scratch) {
+            return for_each_group<Glance>(tiles, tile, hits, tried, scratch,
+                                          [&](const HitGroup& group) { return glance(group, exponent, scratch); });
+          });
+        });
     figures_ += for_each_tile<PlanFigures>(tiles, true, [&](const Tile& tile, Scratch& scratch) {
-      collect(tile, hits, scratch);
-      const PlanFigures figures = for_each_group<PlanFigures>(
-          scratch, rule, [&](const Group& group) { return add_group(image, hits, group, scratch); });
+      const PlanFigures figures =
+          for_each_group<PlanFigures>(tiles, tile, hits, rule, scratch,
+                                      [&](const HitGroup& group) { return add_group(image, hits, group, scratch); });
       stage.progress.advance(stage.label, stage.cost_per_pixel * tile.width * tile.height);
       return figures;
     });
@@ -56,68 +63,17 @@ class PlannedHvl final : public PlannedGatherer {
   }
 
  private:
-  static constexpr int few_lights = 2000;
-
-  /// Pixels of the slice.
-  struct Tile {
-    int left, top, width, height;
-  };
-  struct Tiles {
-    int width, height, side, across, down;
-
-    /// A twentieth of the picture across: few surfaces change much within a tile. Of few lights a cut costs more than
-    /// it saves where fewer hits share it.
-    Tiles(int image_width, const PrimaryHits& hits, int lights)
-        : width(image_width),
-          height(hits.slice().rows),
-          side(std::clamp(image_width / 80 * (lights < few_lights ? 6 : 4), 8, 96)) {
-      // About as many hits, whatever is seen of a pixel.
-      side = std::max(4, static_cast<int>(side / std::sqrt(static_cast<double>(hits.per_pixel()))) / 4 * 4);
-      across = (width + side - 1) / side;
-      down = (height + side - 1) / side;
-    }
-
-    int count() const { return across * down; }
-    Tile operator[](int number) const {
-      const int left = number % across * side, top = number / across * side;
-      return {left, top, std::min(side, width - left), std::min(side, height - top)};
-    }
-  };
-  /// A hit of a tile: of which pixel and sample of the image.
-  struct Place {
-    const Hit* hit;
-    std::size_t pixel, sample;
-    std::uint32_t pattern;  // 0 to 15, by which it takes a draw
-  };
-  /// Hits that share a cut, in parts of neighbours.
-  struct Group {
-    zonal::GroupedReceiver* receivers;
-    zonal::ReceiverParts<zonal::cut_receivers> parts;
-
-    int count() const { return parts.size(); }
-  };
   /// A material that looks the same from everywhere, in one colour: Lambert's.
   struct OneColour {
     zonal::Zh<N, float> coefficients;
     glm::vec3 colour;
   };
-  /// How finely the cuts of a slice are made: each by its own radiance, or, once it is known what a light may deviate
-  /// by for all to be within the tolerance, all by that, which costs less.
-  struct Rule {
-    float relative;
-    double of_one_light = 0.0;
-  };
   /// What a thread works with.
   struct Scratch {
-    std::vector<Place> places;
-    std::vector<zonal::GroupedReceiver> receivers, few;  // all, and those of small groups
+    HitGroups groups;
     std::vector<zonal::DrawnLights<NE>> draws;
     std::optional<zonal::LightCut<N, NE, H>> cut;
-    std::array<int, zonal::cut_receivers> chosen;  // one of each part of the group
-
-    const Place& place(const Group& group, int i) const {
-      return places[static_cast<std::size_t>(group.receivers[i].index)];
-    }
+    std::array<const Hit*, zonal::cut_receivers> chosen;  // one of each part of the group
   };
 
   /// The sum of body(tile, scratch) over all tiles, or a fifth of them, on all threads, added up in order.
@@ -125,8 +81,7 @@ class PlannedHvl final : public PlannedGatherer {
   Sum for_each_tile(const Tiles& tiles, bool all, const Body& body) {
     std::vector<Sum> sums(static_cast<std::size_t>(tiles.count()));
     tbb::parallel_for(0, tiles.count(), [&](int number) {
-      const bool is_wanted = all || (number % tiles.across + 2 * (number / tiles.across)) % 5 == 0;
-      if (!is_wanted || stop_requested()) return;
+      if (stop_requested() || !(all || tiles.is_sample(number))) return;
       sums[static_cast<std::size_t>(number)] = body(tiles[number], scratch_.local());
     });
     throw_if_interrupted();
@@ -135,130 +90,31 @@ class PlannedHvl final : public PlannedGatherer {
     return total;
   }
 
-  /// The sum of body(group) over the groups of a tile, with their cuts found: hits of one material on one surface, or
-  /// of up to eight such groups that are too small for a cut of their own.
+  /// The sum of body(group) over the groups of a tile, with their cuts found.
   template <class Sum, class Body>
-  Sum for_each_group(Scratch& scratch, const Rule& rule, const Body& body) const {
-    const int least_count = tree_.size() < few_lights ? 256 : 64;
+  Sum for_each_group(const Tiles& tiles, const Tile& tile, const PrimaryHits& hits, const CutRule& rule,
+                     Scratch& scratch, const Body& body) const {
     Sum sum;
-    Group few{nullptr, {}};
-    scratch.few.clear();
-    const auto visit = [&](Group& group) {
-      group.parts.halve_all(group.receivers, turn_length_);
+    scratch.groups.for_each(tile, tiles.least_group(), hits, turn_length_, [&](const HitGroup& group) {
       find_cut(group, rule, scratch);
       sum += body(group);
-    };
-    const auto visit_few = [&] {
-      few.receivers = scratch.few.data();
-      visit(few);
-      few.parts = {};
-      scratch.few.clear();
-    };
-    for_each_surface(scratch, [&](zonal::GroupedReceiver* receivers, int count) {
-      if (count >= least_count) {
-        Group group{receivers, {}};
-        group.parts.add(count);
-        return visit(group);
-      }
-      scratch.few.insert(scratch.few.end(), receivers, receivers + count);
-      few.parts.add(count);
-      if (few.parts.parts == zonal::cut_receivers || few.count() >= least_count) visit_few();
     });
-    if (few.count() > 0) visit_few();
     return sum;
   }
 
-  template <class Visit>
-  void for_each_surface(Scratch& scratch, const Visit& visit) const {
-    auto& all = scratch.receivers;
-    const auto material = [&](const zonal::GroupedReceiver& receiver) {
-      return scratch.places[static_cast<std::size_t>(receiver.index)].hit->material;
-    };
-    std::stable_sort(all.begin(), all.end(), [&](const auto& a, const auto& b) { return material(a) < material(b); });
-    for (auto first = all.begin(), last = first; first != all.end(); first = last) {
-      last =
-          std::find_if(first, all.end(), [&](const auto& receiver) { return material(receiver) != material(*first); });
-      zonal::for_each_receiver_group(&*first, static_cast<int>(last - first), visit);
-    }
-  }
-
-  void collect(const Tile& tile, const PrimaryHits& hits, Scratch& scratch) const {
-    // Ordered dither: what stands near together, in rows and columns too, is spread over the draws.
-    constexpr std::uint32_t ordered[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
-    scratch.places.clear();
-    scratch.receivers.clear();
-    const auto per_pixel = static_cast<std::uint32_t>(hits.per_pixel());
-    for (int y = tile.top; y < tile.top + tile.height; ++y) {
-      for (int x = tile.left; x < tile.left + tile.width; ++x) {
-        const std::size_t in_slice = hits.index(x, y), pixel = hits.index(x, y + hits.slice().first_row);
-        for (std::uint32_t sample = 0; sample < per_pixel; ++sample) {
-          const std::optional<Hit>& hit = hits.of_pixel(in_slice)[sample];
-          if (!hit) continue;
-          scratch.receivers.push_back({hit->position, hit->normal, static_cast<int>(scratch.places.size())});
-          const std::uint32_t pattern = (ordered[y % 4][x % 4] + 7 * sample) % 16;
-          scratch.places.push_back({&*hit, pixel, pixel * per_pixel + sample, pattern});
-        }
-      }
-    }
-  }
-
-  /// By cuts at some tiles, ever nearer to the tolerance.
-  Rule glance(const Tiles& tiles, const PrimaryHits& hits) {
-    constexpr int most_passes = 5;
-    constexpr double margin = 0.97, near = 0.1;  // for the other tiles; relative
-    const double tolerance = input_.options.tolerance;
-    // The variance is about as some power of that of one light: of very many lights 2/3, for the deviation is as one
-    // over the lights that are drawn; of few more, for ever more of them are taken as they are.
-    double exponent = 1.35 - 0.115 * std::log10(static_cast<double>(std::max(tree_.size(), 1)));
-    const double first_exponent = 0.8 * exponent;
-    Rule rule{2.0f * static_cast<float>(tolerance)};
-    double last = 0.0, last_variance = 0.0;
-    for (int pass = 0; pass < most_passes; ++pass) {
-      const Glance seen = for_each_tile<Glance>(tiles, false, [&](const Tile& tile, Scratch& scratch) {
-        collect(tile, hits, scratch);
-        return for_each_group<Glance>(scratch, rule,
-                                      [&](const Group& group) { return glance(group, first_exponent, scratch); });
-      });
-      const double target = std::pow(margin * tolerance, 2) * seen.power;
-      if (!(seen.variance > 0.0 && target > 0.0)) break;  // no cluster of more than one light adds anything
-      if (pass == 0) {
-        rule.of_one_light = std::pow(target / seen.scaled, 1.0 / first_exponent);
-        continue;
-      }
-      if (last > 0.0) {
-        const double seen_exponent = std::log(seen.variance / last_variance) / std::log(rule.of_one_light / last);
-        if (seen_exponent > 0.0) exponent = std::clamp(seen_exponent, 0.3, 3.0);
-      }
-      last = rule.of_one_light, last_variance = seen.variance;
-      rule.of_one_light *= std::pow(target / seen.variance, 1.0 / exponent);
-      if (std::abs(seen.variance - target) < near * target) break;
-    }
-    rule.relative = static_cast<float>(tolerance);
-    return rule;
-  }
-
-  struct Glance {
-    double power = 0.0, variance = 0.0;
-    double scaled = 0.0;  // the variance over that of one light to the exponent
-
-    Glance& operator+=(const Glance& other) {
-      power += other.power, variance += other.variance, scaled += other.scaled;
-      return *this;
-    }
-  };
-  Glance glance(const Group& group, double exponent, Scratch& scratch) const {
+  Glance glance(const HitGroup& group, double exponent, Scratch& scratch) const {
     Glance seen;
     seen.variance = scratch.cut->variance() * group.count();
     if (seen.variance > 0.0) seen.scaled = seen.variance / std::pow(scratch.cut->greatest_variance(), exponent);
     draw(group, 1, scratch);
     for (int part = 0; part < group.parts.parts; ++part) {
-      const Place& place = scratch.place(group, scratch.chosen[static_cast<std::size_t>(part)]);
-      seen.power += power_of(gather(scratch.draws[0], *place.hit)) * group.parts.size(part);
+      const Hit& hit = *scratch.chosen[static_cast<std::size_t>(part)];
+      seen.power += power_of(gather(scratch.draws[0], hit)) * group.parts.size(part);
     }
     return seen;
   }
 
-  zonal::CutTolerance tolerance_of(const Group& group, const Rule& rule) const {
+  zonal::CutTolerance tolerance_of(const HitGroup& group, const CutRule& rule) const {
     constexpr double cut_cost = 400.0;  // gathers of a light that cost as much as to find and draw it for all
     zonal::CutTolerance tolerance;
     tolerance.with_visibility = input_.options.centre_visibility;
@@ -267,42 +123,42 @@ class PlannedHvl final : public PlannedGatherer {
     return tolerance;
   }
 
-  std::uint64_t seed_of(const Group& group, const Scratch& scratch) const {
-    return hash64(input_.options.seed ^ hash64(scratch.place(group, 0).sample));
+  std::uint64_t seed_of(const HitGroup& group, const Scratch& scratch) const {
+    return hash64(input_.options.seed ^ hash64(scratch.groups.place(group, 0).sample));
   }
 
   /// For one of each part, at random, that stands for the part.
-  void find_cut(const Group& group, const Rule& rule, Scratch& scratch) const {
+  void find_cut(const HitGroup& group, const CutRule& rule, Scratch& scratch) const {
     zonal::BoundedReceiver<N, float> receivers[zonal::cut_receivers];
     for (int part = 0; part < group.parts.parts; ++part) {
       const int first = group.parts.first[part], size = group.parts.size(part);
       const double place = zonal::detail::scatter(seed_of(group, scratch), static_cast<std::uint64_t>(part)) * size;
       const int chosen = first + std::min(static_cast<int>(place), size - 1);
-      scratch.chosen[static_cast<std::size_t>(part)] = chosen;
+      const Hit& hit = *scratch.groups.place(group, chosen).hit;
+      scratch.chosen[static_cast<std::size_t>(part)] = &hit;
       zonal::Box3 positions;
       float chord = 0.0f;
       for (int i = first; i < first + size; ++i) {
         positions.add(group.receivers[i].position);
-        chord = std::max(chord, glm::distance(group.receivers[i].normal, group.receivers[chosen].normal));
+        chord = std::max(chord, glm::distance(group.receivers[i].normal, hit.normal));
       }
       const float tilt = 2.0f * std::asin(std::min(0.5f * chord, 1.0f));
       const float weight = static_cast<float>(zonal::cut_receivers * size) / static_cast<float>(group.count());
-      receivers[part] =
-          zonal::weighted(zonal::spread_over(bounded(*scratch.place(group, chosen).hit), positions, tilt), weight);
+      receivers[part] = zonal::weighted(zonal::spread_over(bounded(hit), positions, tilt), weight);
     }
     std::fill(receivers + group.parts.parts, receivers + zonal::cut_receivers, zonal::weighted(receivers[0], 0.0f));
     if (!scratch.cut) scratch.cut.emplace(tree_.tree());
     scratch.cut->find(zonal::as_packet(receivers), tolerance_of(group, rule));
   }
 
-  void draw(const Group& group, int draws, Scratch& scratch) const {
+  void draw(const HitGroup& group, int draws, Scratch& scratch) const {
     scratch.draws.resize(static_cast<std::size_t>(draws));
     zonal::ReceiverBox box;
     for (int i = 0; i < group.count(); ++i) box.add(group.receivers[i].position, group.receivers[i].normal);
     tree_.draw(*scratch.cut, box, seed_of(group, scratch), scratch.draws);
   }
 
-  PlanFigures add_group(Image& image, const PrimaryHits& hits, const Group& group, Scratch& scratch) const {
+  PlanFigures add_group(Image& image, const PrimaryHits& hits, const HitGroup& group, Scratch& scratch) const {
     const zonal::LightCut<N, NE, H>& cut = *scratch.cut;
     constexpr int most_draws = 4, hits_of_a_draw = 96;
     const int draws = std::clamp(group.count() / hits_of_a_draw, 1, most_draws);
@@ -315,7 +171,7 @@ class PlannedHvl final : public PlannedGatherer {
     for (const auto& drawn : scratch.draws) figures.pairs += static_cast<double>(drawn.size()) * group.count() / draws;
     for (std::uint32_t number = 0; number < static_cast<std::uint32_t>(draws); ++number) {
       for (int i = 0; i < group.count(); ++i) {
-        const Place& place = scratch.place(group, i);
+        const Place& place = scratch.groups.place(group, i);
         if (place.pattern * static_cast<std::uint32_t>(draws) / 16 != number) continue;
         const glm::vec3 radiance = gather(scratch.draws[number], *place.hit);
         image.pixels[place.pixel] += radiance / static_cast<float>(hits.per_pixel());

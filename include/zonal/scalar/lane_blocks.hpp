@@ -143,7 +143,9 @@ constexpr int widest_within(int width) {
 template <int Size, int width, class T>
 ZONAL_INLINE inline void transpose(const T* columns, T* rows) {
   constexpr int w = widest_within<Size>(width), chunk = chunk_v<T>;
-  if constexpr (w < chunk) {
+  if constexpr (Size == 1) {
+    Lanes<T, width>::load(columns).store(rows);
+  } else if constexpr (w < chunk) {
     for (int lane = 0; lane < width; ++lane) {
       for (int i = 0; i < Size; ++i) rows[lane * Size + i] = columns[i * width + lane];
     }

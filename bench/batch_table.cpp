@@ -20,6 +20,14 @@ void print_batches(std::ostream& out, const Results& results) {
   if (const Result* sum = find(results, kernel_name("sum-of-samples", 5) + "/float")) {
     out << format("\nsum += evaluate<5>(direction) * colour: %.2f ns per sample\n", sum->median_ns());
   }
+  for (const int bands : {3, 4}) {
+    const Result* copy = find(results, kernel_name("splats-copy", bands) + "/halves");
+    const Result* adjoint = find(results, kernel_name("splats-adjoint", bands) + "/halves");
+    if (copy == nullptr || adjoint == nullptr) continue;
+    out << format(
+        "splats of %d bands in 16 bits, colours and derivatives: %.2f ns each; a copy of the bytes %.2f: %.0f %%\n",
+        bands, adjoint->median_ns(), copy->median_ns(), 100 * copy->median_ns() / adjoint->median_ns());
+  }
 }
 
 }  // namespace zonal_bench

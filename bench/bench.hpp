@@ -29,6 +29,7 @@ void register_gather(const Effort& effort);
 void register_gradient(const Effort& effort);
 void register_grid(const Effort& effort);
 void register_batch(const Effort& effort);
+void register_adjoint(const Effort& effort);
 void register_environment(const Effort& effort);
 void register_screen(const Effort& effort);
 /// Every kernel of the registry that the others have left out: they come first.

@@ -41,6 +41,7 @@ int run(int argc, char** argv) {
   register_gradient(effort);
   register_grid(effort);
   register_batch(effort);
+  register_adjoint(effort);
   register_environment(effort);
   register_screen(effort);
   register_registry(effort);

@@ -11,6 +11,9 @@ for name in evaluate evaluate_with_gradient reconstruct reconstruct_colour recon
   cap cap_up_to_hemisphere sphere_cap phong spherical_gaussian project_sphere; do
   for bands in 2 3 4 5; do functions="$functions,$name@$bands"; done
 done
+for name in reconstruct_with_adjoint splat_colour splat_with_adjoint; do
+  for bands in 3 4; do functions="$functions,$name@$bands"; done
+done
 for name in rotate_about_z prepare_rotation rotate rotate_colour product product_colour triple_product; do  # they grow fast
   for bands in 2 3; do functions="$functions,$name@$bands"; done
 done

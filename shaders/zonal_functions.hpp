@@ -1,5 +1,5 @@
-// zonal 0.2.0, C++ and CUDA. --bands 5 --functions evaluate@2,evaluate@3,evaluate@4,evaluate@5,evaluate_with_gradient@2,evaluate_with_gradient@3,evaluate_with_gradient@4,evaluate_with_gradient@5,reconstruct@2,reconstruct@3,reconstruct@4,reconstruct@5,reconstruct_colour@2,reconstruct_colour@3,reconstruct_colour@4,reconstruct_colour@5,reconstruct_lambert@2,reconstruct_lambert@3,reconstruct_lambert@4,reconstruct_lambert@5,reconstruct_lambert_colour@2,reconstruct_lambert_colour@3,reconstruct_lambert_colour@4,reconstruct_lambert_colour@5,orient@2,orient@3,orient@4,orient@5,orient_colour@2,orient_colour@3,orient_colour@4,orient_colour@5,dot@2,dot@3,dot@4,dot@5,dot_colour@2,dot_colour@3,dot_colour@4,dot_colour@5,dot_colours@2,dot_colours@3,dot_colours@4,dot_colours@5,convolve@2,convolve@3,convolve@4,convolve@5,convolve_colour@2,convolve_colour@3,convolve_colour@4,convolve_colour@5,lambert@2,lambert@3,lambert@4,lambert@5,cap@2,cap@3,cap@4,cap@5,cap_up_to_hemisphere@2,cap_up_to_hemisphere@3,cap_up_to_hemisphere@4,cap_up_to_hemisphere@5,sphere_cap@2,sphere_cap@3,sphere_cap@4,sphere_cap@5,phong@2,phong@3,phong@4,phong@5,spherical_gaussian@2,spherical_gaussian@3,spherical_gaussian@4,spherical_gaussian@5,project_sphere@2,project_sphere@3,project_sphere@4,project_sphere@5,rotate_about_z@2,rotate_about_z@3,prepare_rotation@2,prepare_rotation@3,rotate@2,rotate@3,rotate_colour@2,rotate_colour@3,product@2,product@3,product_colour@2,product_colour@3,triple_product@2,triple_product@3
-// 94 functions, 6277 operations. Written by zonal-glsl: do not edit.
+// zonal 0.2.0, C++ and CUDA. --bands 5 --functions evaluate@2,evaluate@3,evaluate@4,evaluate@5,evaluate_with_gradient@2,evaluate_with_gradient@3,evaluate_with_gradient@4,evaluate_with_gradient@5,reconstruct@2,reconstruct@3,reconstruct@4,reconstruct@5,reconstruct_colour@2,reconstruct_colour@3,reconstruct_colour@4,reconstruct_colour@5,reconstruct_lambert@2,reconstruct_lambert@3,reconstruct_lambert@4,reconstruct_lambert@5,reconstruct_lambert_colour@2,reconstruct_lambert_colour@3,reconstruct_lambert_colour@4,reconstruct_lambert_colour@5,orient@2,orient@3,orient@4,orient@5,orient_colour@2,orient_colour@3,orient_colour@4,orient_colour@5,dot@2,dot@3,dot@4,dot@5,dot_colour@2,dot_colour@3,dot_colour@4,dot_colour@5,dot_colours@2,dot_colours@3,dot_colours@4,dot_colours@5,convolve@2,convolve@3,convolve@4,convolve@5,convolve_colour@2,convolve_colour@3,convolve_colour@4,convolve_colour@5,lambert@2,lambert@3,lambert@4,lambert@5,cap@2,cap@3,cap@4,cap@5,cap_up_to_hemisphere@2,cap_up_to_hemisphere@3,cap_up_to_hemisphere@4,cap_up_to_hemisphere@5,sphere_cap@2,sphere_cap@3,sphere_cap@4,sphere_cap@5,phong@2,phong@3,phong@4,phong@5,spherical_gaussian@2,spherical_gaussian@3,spherical_gaussian@4,spherical_gaussian@5,project_sphere@2,project_sphere@3,project_sphere@4,project_sphere@5,reconstruct_with_adjoint@3,reconstruct_with_adjoint@4,splat_colour@3,splat_colour@4,splat_with_adjoint@3,splat_with_adjoint@4,rotate_about_z@2,rotate_about_z@3,prepare_rotation@2,prepare_rotation@3,rotate@2,rotate@3,rotate_colour@2,rotate_colour@3,product@2,product@3,product_colour@2,product_colour@3,triple_product@2,triple_product@3
+// 100 functions, 7567 operations. Written by zonal-glsl: do not edit.
 #include <math.h>
 #ifndef ZONAL_FUNCTION
 #ifdef __CUDACC__
@@ -2698,6 +2698,500 @@ ZONAL_FUNCTION void zonal_project_sphere_5(const float (&center)[3], float radiu
   sh[22] = t47 * (t49 * t37);
   sh[23] = t47 * (t48 * t46);
   sh[24] = t47 * (0.6258357f * (t25 * t46 - t23 * t42));
+}
+#endif
+
+#ifndef ZONAL_RECONSTRUCT_WITH_ADJOINT_3
+#define ZONAL_RECONSTRUCT_WITH_ADJOINT_3
+// A colour in a direction of any length but 0, and a loss's derivatives, given those by the colour.
+// 184 operations: 59 additions, 123 multiplications, 1 divisions, 1 square roots, 0 comparisons and choices.
+ZONAL_FUNCTION void zonal_reconstruct_with_adjoint_3(const float (&sh)[9][3], const float (&direction)[3],
+    const float (&by_value)[3], float (&value)[3], float (&by_sh)[9][3], float (&by_direction)[3]) {
+  const float t0 = direction[0] * direction[0] + direction[1] * direction[1] + direction[2] * direction[2];
+  const float t1 = 1.0f / sqrtf(t0);
+  const float t2 = direction[1] * t1;
+  const float t3 = direction[0] * t1;
+  const float t4 = t2 * t3;
+  const float t5 = 0.54627424f * (t4 + t4);
+  const float t6 = 0.54627424f * (t3 * t3 - t2 * t2);
+  const float t7 = -0.48860252f * t2;
+  const float t8 = direction[2] * t1;
+  const float t9 = -1.0925485f * t8;
+  const float t10 = t9 * t2;
+  const float t11 = sh[0][0] * 0.2820948f + sh[4][0] * t5 + sh[8][0] * t6 + (sh[1][0] * t7 + sh[5][0] * t10);
+  const float t12 = 0.48860252f * t8;
+  const float t13 = 0.9461747f * (t8 * t8) + -0.31539157f;
+  const float t14 = -0.48860252f * t3;
+  const float t15 = t9 * t3;
+  const float t16 = t11 + (sh[2][0] * t12 + sh[6][0] * t13 + (sh[3][0] * t14 + sh[7][0] * t15));
+  value[0] = t16;
+  const float t17 = sh[0][1] * 0.2820948f + sh[4][1] * t5 + sh[8][1] * t6 + (sh[1][1] * t7 + sh[5][1] * t10);
+  const float t18 = t17 + (sh[2][1] * t12 + sh[6][1] * t13 + (sh[3][1] * t14 + sh[7][1] * t15));
+  value[1] = t18;
+  const float t19 = sh[0][2] * 0.2820948f + sh[4][2] * t5 + sh[8][2] * t6 + (sh[1][2] * t7 + sh[5][2] * t10);
+  const float t20 = t19 + (sh[2][2] * t12 + sh[6][2] * t13 + (sh[3][2] * t14 + sh[7][2] * t15));
+  value[2] = t20;
+  by_sh[0][0] = by_value[0] * 0.2820948f;
+  by_sh[0][1] = by_value[1] * 0.2820948f;
+  by_sh[0][2] = by_value[2] * 0.2820948f;
+  by_sh[1][0] = by_value[0] * t7;
+  by_sh[1][1] = by_value[1] * t7;
+  by_sh[1][2] = by_value[2] * t7;
+  by_sh[2][0] = by_value[0] * t12;
+  by_sh[2][1] = by_value[1] * t12;
+  by_sh[2][2] = by_value[2] * t12;
+  by_sh[3][0] = by_value[0] * t14;
+  by_sh[3][1] = by_value[1] * t14;
+  by_sh[3][2] = by_value[2] * t14;
+  by_sh[4][0] = by_value[0] * t5;
+  by_sh[4][1] = by_value[1] * t5;
+  by_sh[4][2] = by_value[2] * t5;
+  by_sh[5][0] = by_value[0] * t10;
+  by_sh[5][1] = by_value[1] * t10;
+  by_sh[5][2] = by_value[2] * t10;
+  by_sh[6][0] = by_value[0] * t13;
+  by_sh[6][1] = by_value[1] * t13;
+  by_sh[6][2] = by_value[2] * t13;
+  by_sh[7][0] = by_value[0] * t15;
+  by_sh[7][1] = by_value[1] * t15;
+  by_sh[7][2] = by_value[2] * t15;
+  by_sh[8][0] = by_value[0] * t6;
+  by_sh[8][1] = by_value[1] * t6;
+  by_sh[8][2] = by_value[2] * t6;
+  const float t21 = by_value[0] * sh[3][0] + by_value[1] * sh[3][1] + by_value[2] * sh[3][2];
+  const float t22 = by_value[0] * sh[7][0] + by_value[1] * sh[7][1] + by_value[2] * sh[7][2];
+  const float t23 = by_value[0] * sh[8][0] + by_value[1] * sh[8][1] + by_value[2] * sh[8][2];
+  const float t24 = 1.0925485f * t23;
+  const float t25 = by_value[0] * sh[4][0] + by_value[1] * sh[4][1] + by_value[2] * sh[4][2];
+  const float t26 = 1.0925485f * t25;
+  const float t27 = -0.48860252f * t21 + t9 * t22 + (t24 * t3 + t26 * t2);
+  const float t28 = by_value[0] * sh[1][0] + by_value[1] * sh[1][1] + by_value[2] * sh[1][2];
+  const float t29 = by_value[0] * sh[5][0] + by_value[1] * sh[5][1] + by_value[2] * sh[5][2];
+  const float t30 = -0.48860252f * t28 + t9 * t29 + (t26 * t3 - t24 * t2);
+  const float t31 = by_value[0] * sh[2][0] + by_value[1] * sh[2][1] + by_value[2] * sh[2][2];
+  const float t32 = by_value[0] * sh[6][0] + by_value[1] * sh[6][1] + by_value[2] * sh[6][2];
+  const float t33 = 0.48860252f * t31 + -1.7320508f * t9 * t32 + (-1.0925485f * t22 * t3 + -1.0925485f * t29 * t2);
+  const float t34 = t27 * t3 + t30 * t2 + t33 * t8;
+  by_direction[0] = (t27 - t3 * t34) * t1;
+  by_direction[1] = (t30 - t2 * t34) * t1;
+  by_direction[2] = (t33 - t8 * t34) * t1;
+}
+#endif
+
+#ifndef ZONAL_RECONSTRUCT_WITH_ADJOINT_4
+#define ZONAL_RECONSTRUCT_WITH_ADJOINT_4
+// A colour in a direction of any length but 0, and a loss's derivatives, given those by the colour.
+// 333 operations: 111 additions, 220 multiplications, 1 divisions, 1 square roots, 0 comparisons and choices.
+ZONAL_FUNCTION void zonal_reconstruct_with_adjoint_4(const float (&sh)[16][3], const float (&direction)[3],
+    const float (&by_value)[3], float (&value)[3], float (&by_sh)[16][3], float (&by_direction)[3]) {
+  const float t0 = direction[0] * direction[0] + direction[1] * direction[1] + direction[2] * direction[2];
+  const float t1 = 1.0f / sqrtf(t0);
+  const float t2 = direction[2] * t1;
+  const float t3 = t2 * t2;
+  const float t4 = t2 * (1.8658817f * t3 + -1.119529f);
+  const float t5 = direction[1] * t1;
+  const float t6 = direction[0] * t1;
+  const float t7 = t5 * t6;
+  const float t8 = t7 + t7;
+  const float t9 = 0.54627424f * t8;
+  const float t10 = t6 * t6 - t5 * t5;
+  const float t11 = 0.54627424f * t10;
+  const float t12 = -0.48860252f * t5;
+  const float t13 = -1.0925485f * t2;
+  const float t14 = t13 * t5;
+  const float t15 = -2.285229f * t3 + 0.4570458f;
+  const float t16 = t15 * t6;
+  const float t17 = -0.5900436f * (t6 * t8 + t5 * t10);
+  const float t18 = sh[0][0] * 0.2820948f + sh[12][0] * t4 + sh[4][0] * t9 + sh[8][0] * t11 + (sh[1][0] * t12 + sh[5][0] * t14 + sh[13][0] * t16 + sh[9][0] * t17);
+  const float t19 = 0.48860252f * t2;
+  const float t20 = 0.9461747f * t3 + -0.31539157f;
+  const float t21 = 1.4453057f * t2;
+  const float t22 = t21 * t8;
+  const float t23 = t21 * t10;
+  const float t24 = -0.48860252f * t6;
+  const float t25 = t13 * t6;
+  const float t26 = t15 * t5;
+  const float t27 = -0.5900436f * (t6 * t10 - t5 * t8);
+  const float t28 = sh[2][0] * t19 + sh[6][0] * t20 + sh[10][0] * t22 + sh[14][0] * t23 + (sh[3][0] * t24 + sh[7][0] * t25 + sh[11][0] * t26 + sh[15][0] * t27);
+  value[0] = t18 + t28;
+  const float t29 = sh[0][1] * 0.2820948f + sh[12][1] * t4 + sh[4][1] * t9 + sh[8][1] * t11 + (sh[1][1] * t12 + sh[5][1] * t14 + sh[13][1] * t16 + sh[9][1] * t17);
+  const float t30 = sh[2][1] * t19 + sh[6][1] * t20 + sh[10][1] * t22 + sh[14][1] * t23 + (sh[3][1] * t24 + sh[7][1] * t25 + sh[11][1] * t26 + sh[15][1] * t27);
+  value[1] = t29 + t30;
+  const float t31 = sh[0][2] * 0.2820948f + sh[12][2] * t4 + sh[4][2] * t9 + sh[8][2] * t11 + (sh[1][2] * t12 + sh[5][2] * t14 + sh[13][2] * t16 + sh[9][2] * t17);
+  const float t32 = sh[2][2] * t19 + sh[6][2] * t20 + sh[10][2] * t22 + sh[14][2] * t23 + (sh[3][2] * t24 + sh[7][2] * t25 + sh[11][2] * t26 + sh[15][2] * t27);
+  value[2] = t31 + t32;
+  by_sh[0][0] = by_value[0] * 0.2820948f;
+  by_sh[0][1] = by_value[1] * 0.2820948f;
+  by_sh[0][2] = by_value[2] * 0.2820948f;
+  by_sh[1][0] = by_value[0] * t12;
+  by_sh[1][1] = by_value[1] * t12;
+  by_sh[1][2] = by_value[2] * t12;
+  by_sh[2][0] = by_value[0] * t19;
+  by_sh[2][1] = by_value[1] * t19;
+  by_sh[2][2] = by_value[2] * t19;
+  by_sh[3][0] = by_value[0] * t24;
+  by_sh[3][1] = by_value[1] * t24;
+  by_sh[3][2] = by_value[2] * t24;
+  by_sh[4][0] = by_value[0] * t9;
+  by_sh[4][1] = by_value[1] * t9;
+  by_sh[4][2] = by_value[2] * t9;
+  by_sh[5][0] = by_value[0] * t14;
+  by_sh[5][1] = by_value[1] * t14;
+  by_sh[5][2] = by_value[2] * t14;
+  by_sh[6][0] = by_value[0] * t20;
+  by_sh[6][1] = by_value[1] * t20;
+  by_sh[6][2] = by_value[2] * t20;
+  by_sh[7][0] = by_value[0] * t25;
+  by_sh[7][1] = by_value[1] * t25;
+  by_sh[7][2] = by_value[2] * t25;
+  by_sh[8][0] = by_value[0] * t11;
+  by_sh[8][1] = by_value[1] * t11;
+  by_sh[8][2] = by_value[2] * t11;
+  by_sh[9][0] = by_value[0] * t17;
+  by_sh[9][1] = by_value[1] * t17;
+  by_sh[9][2] = by_value[2] * t17;
+  by_sh[10][0] = by_value[0] * t22;
+  by_sh[10][1] = by_value[1] * t22;
+  by_sh[10][2] = by_value[2] * t22;
+  by_sh[11][0] = by_value[0] * t26;
+  by_sh[11][1] = by_value[1] * t26;
+  by_sh[11][2] = by_value[2] * t26;
+  by_sh[12][0] = by_value[0] * t4;
+  by_sh[12][1] = by_value[1] * t4;
+  by_sh[12][2] = by_value[2] * t4;
+  by_sh[13][0] = by_value[0] * t16;
+  by_sh[13][1] = by_value[1] * t16;
+  by_sh[13][2] = by_value[2] * t16;
+  by_sh[14][0] = by_value[0] * t23;
+  by_sh[14][1] = by_value[1] * t23;
+  by_sh[14][2] = by_value[2] * t23;
+  by_sh[15][0] = by_value[0] * t27;
+  by_sh[15][1] = by_value[1] * t27;
+  by_sh[15][2] = by_value[2] * t27;
+  const float t33 = by_value[0] * sh[3][0] + by_value[1] * sh[3][1] + by_value[2] * sh[3][2];
+  const float t34 = by_value[0] * sh[7][0] + by_value[1] * sh[7][1] + by_value[2] * sh[7][2];
+  const float t35 = by_value[0] * sh[13][0] + by_value[1] * sh[13][1] + by_value[2] * sh[13][2];
+  const float t36 = by_value[0] * sh[8][0] + by_value[1] * sh[8][1] + by_value[2] * sh[8][2];
+  const float t37 = 2.0f * t21;
+  const float t38 = by_value[0] * sh[14][0] + by_value[1] * sh[14][1] + by_value[2] * sh[14][2];
+  const float t39 = 1.0925485f * t36 + t37 * t38;
+  const float t40 = by_value[0] * sh[4][0] + by_value[1] * sh[4][1] + by_value[2] * sh[4][2];
+  const float t41 = by_value[0] * sh[10][0] + by_value[1] * sh[10][1] + by_value[2] * sh[10][2];
+  const float t42 = 1.0925485f * t40 + t37 * t41;
+  const float t43 = by_value[0] * sh[15][0] + by_value[1] * sh[15][1] + by_value[2] * sh[15][2];
+  const float t44 = -1.7701309f * t43;
+  const float t45 = by_value[0] * sh[9][0] + by_value[1] * sh[9][1] + by_value[2] * sh[9][2];
+  const float t46 = -1.7701309f * t45;
+  const float t47 = -0.48860252f * t33 + t13 * t34 + t15 * t35 + (t39 * t6 + t42 * t5) + (t44 * t10 + t46 * t8);
+  const float t48 = by_value[0] * sh[1][0] + by_value[1] * sh[1][1] + by_value[2] * sh[1][2];
+  const float t49 = by_value[0] * sh[5][0] + by_value[1] * sh[5][1] + by_value[2] * sh[5][2];
+  const float t50 = by_value[0] * sh[11][0] + by_value[1] * sh[11][1] + by_value[2] * sh[11][2];
+  const float t51 = -0.48860252f * t48 + t13 * t49 + t15 * t50 + (t42 * t6 - t39 * t5) + (t46 * t10 - t44 * t8);
+  const float t52 = by_value[0] * sh[2][0] + by_value[1] * sh[2][1] + by_value[2] * sh[2][2];
+  const float t53 = by_value[0] * sh[6][0] + by_value[1] * sh[6][1] + by_value[2] * sh[6][2];
+  const float t54 = by_value[0] * sh[12][0] + by_value[1] * sh[12][1] + by_value[2] * sh[12][2];
+  const float t55 = -3.1622777f * t21;
+  const float t56 = (-1.0925485f * t34 + t55 * t35) * t6 + (-1.0925485f * t49 + t55 * t50) * t5;
+  const float t57 = 0.48860252f * t52 + -1.7320508f * t13 * t53 + -2.4494898f * t15 * t54 + t56;
+  const float t58 = t57 + (1.4453058f * t38 * t10 + 1.4453058f * t41 * t8);
+  const float t59 = t47 * t6 + t51 * t5 + t58 * t2;
+  by_direction[0] = (t47 - t6 * t59) * t1;
+  by_direction[1] = (t51 - t5 * t59) * t1;
+  by_direction[2] = (t58 - t2 * t59) * t1;
+}
+#endif
+
+#ifndef ZONAL_SPLAT_COLOUR_3
+#define ZONAL_SPLAT_COLOUR_3
+// A splat's colour as a camera sees it: the value, and half more, and at least 0 [Kerbl et al. 2023]. For colours.
+// 86 operations: 35 additions, 46 multiplications, 1 divisions, 1 square roots, 3 comparisons and choices.
+ZONAL_FUNCTION void zonal_splat_colour_3(const float (&sh)[9][3], const float (&position)[3],
+    const float (&camera)[3], float (&value)[3]) {
+  const float t0 = position[1] - camera[1];
+  const float t1 = position[0] - camera[0];
+  const float t2 = position[2] - camera[2];
+  const float t3 = 1.0f / sqrtf(t1 * t1 + t0 * t0 + t2 * t2);
+  const float t4 = t0 * t3;
+  const float t5 = t1 * t3;
+  const float t6 = t4 * t5;
+  const float t7 = 0.54627424f * (t6 + t6);
+  const float t8 = 0.54627424f * (t5 * t5 - t4 * t4);
+  const float t9 = -0.48860252f * t4;
+  const float t10 = t2 * t3;
+  const float t11 = -1.0925485f * t10;
+  const float t12 = t11 * t4;
+  const float t13 = sh[0][0] * 0.2820948f + sh[4][0] * t7 + sh[8][0] * t8 + (sh[1][0] * t9 + sh[5][0] * t12);
+  const float t14 = 0.48860252f * t10;
+  const float t15 = 0.9461747f * (t10 * t10) + -0.31539157f;
+  const float t16 = -0.48860252f * t5;
+  const float t17 = t11 * t5;
+  const float t18 = t13 + (sh[2][0] * t14 + sh[6][0] * t15 + (sh[3][0] * t16 + sh[7][0] * t17));
+  const float t19 = t18 + 0.5f;
+  value[0] = t19 < 0.0f ? 0.0f : t19;
+  const float t20 = sh[0][1] * 0.2820948f + sh[4][1] * t7 + sh[8][1] * t8 + (sh[1][1] * t9 + sh[5][1] * t12);
+  const float t21 = t20 + (sh[2][1] * t14 + sh[6][1] * t15 + (sh[3][1] * t16 + sh[7][1] * t17));
+  const float t22 = t21 + 0.5f;
+  value[1] = t22 < 0.0f ? 0.0f : t22;
+  const float t23 = sh[0][2] * 0.2820948f + sh[4][2] * t7 + sh[8][2] * t8 + (sh[1][2] * t9 + sh[5][2] * t12);
+  const float t24 = t23 + (sh[2][2] * t14 + sh[6][2] * t15 + (sh[3][2] * t16 + sh[7][2] * t17));
+  const float t25 = t24 + 0.5f;
+  value[2] = t25 < 0.0f ? 0.0f : t25;
+}
+#endif
+
+#ifndef ZONAL_SPLAT_COLOUR_4
+#define ZONAL_SPLAT_COLOUR_4
+// A splat's colour as a camera sees it: the value, and half more, and at least 0 [Kerbl et al. 2023]. For colours.
+// 146 operations: 60 additions, 81 multiplications, 1 divisions, 1 square roots, 3 comparisons and choices.
+ZONAL_FUNCTION void zonal_splat_colour_4(const float (&sh)[16][3], const float (&position)[3],
+    const float (&camera)[3], float (&value)[3]) {
+  const float t0 = position[2] - camera[2];
+  const float t1 = position[0] - camera[0];
+  const float t2 = position[1] - camera[1];
+  const float t3 = 1.0f / sqrtf(t1 * t1 + t2 * t2 + t0 * t0);
+  const float t4 = t0 * t3;
+  const float t5 = t4 * t4;
+  const float t6 = t4 * (1.8658817f * t5 + -1.119529f);
+  const float t7 = t2 * t3;
+  const float t8 = t1 * t3;
+  const float t9 = t7 * t8;
+  const float t10 = t9 + t9;
+  const float t11 = 0.54627424f * t10;
+  const float t12 = t8 * t8 - t7 * t7;
+  const float t13 = 0.54627424f * t12;
+  const float t14 = sh[0][0] * 0.2820948f + sh[12][0] * t6 + sh[4][0] * t11 + sh[8][0] * t13;
+  const float t15 = -0.48860252f * t7;
+  const float t16 = -1.0925485f * t4;
+  const float t17 = t16 * t7;
+  const float t18 = -2.285229f * t5 + 0.4570458f;
+  const float t19 = t18 * t8;
+  const float t20 = -0.5900436f * (t8 * t10 + t7 * t12);
+  const float t21 = t14 + (sh[1][0] * t15 + sh[5][0] * t17 + sh[13][0] * t19 + sh[9][0] * t20);
+  const float t22 = 0.48860252f * t4;
+  const float t23 = 0.9461747f * t5 + -0.31539157f;
+  const float t24 = 1.4453057f * t4;
+  const float t25 = t24 * t10;
+  const float t26 = t24 * t12;
+  const float t27 = -0.48860252f * t8;
+  const float t28 = t16 * t8;
+  const float t29 = t18 * t7;
+  const float t30 = -0.5900436f * (t8 * t12 - t7 * t10);
+  const float t31 = sh[2][0] * t22 + sh[6][0] * t23 + sh[10][0] * t25 + sh[14][0] * t26 + (sh[3][0] * t27 + sh[7][0] * t28 + sh[11][0] * t29 + sh[15][0] * t30);
+  const float t32 = t21 + t31 + 0.5f;
+  value[0] = t32 < 0.0f ? 0.0f : t32;
+  const float t33 = sh[0][1] * 0.2820948f + sh[12][1] * t6 + sh[4][1] * t11 + sh[8][1] * t13;
+  const float t34 = t33 + (sh[1][1] * t15 + sh[5][1] * t17 + sh[13][1] * t19 + sh[9][1] * t20);
+  const float t35 = sh[2][1] * t22 + sh[6][1] * t23 + sh[10][1] * t25 + sh[14][1] * t26 + (sh[3][1] * t27 + sh[7][1] * t28 + sh[11][1] * t29 + sh[15][1] * t30);
+  const float t36 = t34 + t35 + 0.5f;
+  value[1] = t36 < 0.0f ? 0.0f : t36;
+  const float t37 = sh[0][2] * 0.2820948f + sh[12][2] * t6 + sh[4][2] * t11 + sh[8][2] * t13;
+  const float t38 = t37 + (sh[1][2] * t15 + sh[5][2] * t17 + sh[13][2] * t19 + sh[9][2] * t20);
+  const float t39 = sh[2][2] * t22 + sh[6][2] * t23 + sh[10][2] * t25 + sh[14][2] * t26 + (sh[3][2] * t27 + sh[7][2] * t28 + sh[11][2] * t29 + sh[15][2] * t30);
+  const float t40 = t38 + t39 + 0.5f;
+  value[2] = t40 < 0.0f ? 0.0f : t40;
+}
+#endif
+
+#ifndef ZONAL_SPLAT_WITH_ADJOINT_3
+#define ZONAL_SPLAT_WITH_ADJOINT_3
+// A splat's colour in the direction from the camera, and a loss's derivatives, given those by the colour.
+// 196 operations: 62 additions, 123 multiplications, 1 divisions, 1 square roots, 9 comparisons and choices.
+ZONAL_FUNCTION void zonal_splat_with_adjoint_3(const float (&sh)[9][3], const float (&direction)[3],
+    const float (&by_value)[3], float (&value)[3], float (&by_sh)[9][3], float (&by_direction)[3]) {
+  const float t0 = direction[0] * direction[0] + direction[1] * direction[1] + direction[2] * direction[2];
+  const float t1 = 1.0f / sqrtf(t0);
+  const float t2 = direction[1] * t1;
+  const float t3 = direction[0] * t1;
+  const float t4 = t2 * t3;
+  const float t5 = 0.54627424f * (t4 + t4);
+  const float t6 = 0.54627424f * (t3 * t3 - t2 * t2);
+  const float t7 = -0.48860252f * t2;
+  const float t8 = direction[2] * t1;
+  const float t9 = -1.0925485f * t8;
+  const float t10 = t9 * t2;
+  const float t11 = sh[0][0] * 0.2820948f + sh[4][0] * t5 + sh[8][0] * t6 + (sh[1][0] * t7 + sh[5][0] * t10);
+  const float t12 = 0.48860252f * t8;
+  const float t13 = 0.9461747f * (t8 * t8) + -0.31539157f;
+  const float t14 = -0.48860252f * t3;
+  const float t15 = t9 * t3;
+  const float t16 = t11 + (sh[2][0] * t12 + sh[6][0] * t13 + (sh[3][0] * t14 + sh[7][0] * t15));
+  const float t17 = t16 + 0.5f;
+  value[0] = t17 < 0.0f ? 0.0f : t17;
+  const float t18 = sh[0][1] * 0.2820948f + sh[4][1] * t5 + sh[8][1] * t6 + (sh[1][1] * t7 + sh[5][1] * t10);
+  const float t19 = t18 + (sh[2][1] * t12 + sh[6][1] * t13 + (sh[3][1] * t14 + sh[7][1] * t15));
+  const float t20 = t19 + 0.5f;
+  value[1] = t20 < 0.0f ? 0.0f : t20;
+  const float t21 = sh[0][2] * 0.2820948f + sh[4][2] * t5 + sh[8][2] * t6 + (sh[1][2] * t7 + sh[5][2] * t10);
+  const float t22 = t21 + (sh[2][2] * t12 + sh[6][2] * t13 + (sh[3][2] * t14 + sh[7][2] * t15));
+  const float t23 = t22 + 0.5f;
+  value[2] = t23 < 0.0f ? 0.0f : t23;
+  const float t24 = t17 < 0.0f ? 0.0f : by_value[0];
+  by_sh[0][0] = t24 * 0.2820948f;
+  const float t25 = t20 < 0.0f ? 0.0f : by_value[1];
+  by_sh[0][1] = t25 * 0.2820948f;
+  const float t26 = t23 < 0.0f ? 0.0f : by_value[2];
+  by_sh[0][2] = t26 * 0.2820948f;
+  by_sh[1][0] = t24 * t7;
+  by_sh[1][1] = t25 * t7;
+  by_sh[1][2] = t26 * t7;
+  by_sh[2][0] = t24 * t12;
+  by_sh[2][1] = t25 * t12;
+  by_sh[2][2] = t26 * t12;
+  by_sh[3][0] = t24 * t14;
+  by_sh[3][1] = t25 * t14;
+  by_sh[3][2] = t26 * t14;
+  by_sh[4][0] = t24 * t5;
+  by_sh[4][1] = t25 * t5;
+  by_sh[4][2] = t26 * t5;
+  by_sh[5][0] = t24 * t10;
+  by_sh[5][1] = t25 * t10;
+  by_sh[5][2] = t26 * t10;
+  by_sh[6][0] = t24 * t13;
+  by_sh[6][1] = t25 * t13;
+  by_sh[6][2] = t26 * t13;
+  by_sh[7][0] = t24 * t15;
+  by_sh[7][1] = t25 * t15;
+  by_sh[7][2] = t26 * t15;
+  by_sh[8][0] = t24 * t6;
+  by_sh[8][1] = t25 * t6;
+  by_sh[8][2] = t26 * t6;
+  const float t27 = t24 * sh[7][0] + t25 * sh[7][1] + t26 * sh[7][2];
+  const float t28 = -0.48860252f * (t24 * sh[3][0] + t25 * sh[3][1] + t26 * sh[3][2]) + t9 * t27;
+  const float t29 = 1.0925485f * (t24 * sh[8][0] + t25 * sh[8][1] + t26 * sh[8][2]);
+  const float t30 = 1.0925485f * (t24 * sh[4][0] + t25 * sh[4][1] + t26 * sh[4][2]);
+  const float t31 = t28 + (t29 * t3 + t30 * t2);
+  const float t32 = t24 * sh[5][0] + t25 * sh[5][1] + t26 * sh[5][2];
+  const float t33 = -0.48860252f * (t24 * sh[1][0] + t25 * sh[1][1] + t26 * sh[1][2]) + t9 * t32;
+  const float t34 = t33 + (t30 * t3 - t29 * t2);
+  const float t35 = 0.48860252f * (t24 * sh[2][0] + t25 * sh[2][1] + t26 * sh[2][2]) + -1.7320508f * t9 * (t24 * sh[6][0] + t25 * sh[6][1] + t26 * sh[6][2]);
+  const float t36 = t35 + (-1.0925485f * t27 * t3 + -1.0925485f * t32 * t2);
+  const float t37 = t31 * t3 + t34 * t2 + t36 * t8;
+  by_direction[0] = (t31 - t3 * t37) * t1;
+  by_direction[1] = (t34 - t2 * t37) * t1;
+  by_direction[2] = (t36 - t8 * t37) * t1;
+}
+#endif
+
+#ifndef ZONAL_SPLAT_WITH_ADJOINT_4
+#define ZONAL_SPLAT_WITH_ADJOINT_4
+// A splat's colour in the direction from the camera, and a loss's derivatives, given those by the colour.
+// 345 operations: 114 additions, 220 multiplications, 1 divisions, 1 square roots, 9 comparisons and choices.
+ZONAL_FUNCTION void zonal_splat_with_adjoint_4(const float (&sh)[16][3], const float (&direction)[3],
+    const float (&by_value)[3], float (&value)[3], float (&by_sh)[16][3], float (&by_direction)[3]) {
+  const float t0 = direction[0] * direction[0] + direction[1] * direction[1] + direction[2] * direction[2];
+  const float t1 = 1.0f / sqrtf(t0);
+  const float t2 = direction[2] * t1;
+  const float t3 = t2 * t2;
+  const float t4 = t2 * (1.8658817f * t3 + -1.119529f);
+  const float t5 = direction[1] * t1;
+  const float t6 = direction[0] * t1;
+  const float t7 = t5 * t6;
+  const float t8 = t7 + t7;
+  const float t9 = 0.54627424f * t8;
+  const float t10 = t6 * t6 - t5 * t5;
+  const float t11 = 0.54627424f * t10;
+  const float t12 = -0.48860252f * t5;
+  const float t13 = -1.0925485f * t2;
+  const float t14 = t13 * t5;
+  const float t15 = -2.285229f * t3 + 0.4570458f;
+  const float t16 = t15 * t6;
+  const float t17 = -0.5900436f * (t6 * t8 + t5 * t10);
+  const float t18 = sh[0][0] * 0.2820948f + sh[12][0] * t4 + sh[4][0] * t9 + sh[8][0] * t11 + (sh[1][0] * t12 + sh[5][0] * t14 + sh[13][0] * t16 + sh[9][0] * t17);
+  const float t19 = 0.48860252f * t2;
+  const float t20 = 0.9461747f * t3 + -0.31539157f;
+  const float t21 = 1.4453057f * t2;
+  const float t22 = t21 * t8;
+  const float t23 = t21 * t10;
+  const float t24 = -0.48860252f * t6;
+  const float t25 = t13 * t6;
+  const float t26 = t15 * t5;
+  const float t27 = -0.5900436f * (t6 * t10 - t5 * t8);
+  const float t28 = sh[2][0] * t19 + sh[6][0] * t20 + sh[10][0] * t22 + sh[14][0] * t23 + (sh[3][0] * t24 + sh[7][0] * t25 + sh[11][0] * t26 + sh[15][0] * t27);
+  const float t29 = t18 + t28 + 0.5f;
+  value[0] = t29 < 0.0f ? 0.0f : t29;
+  const float t30 = sh[0][1] * 0.2820948f + sh[12][1] * t4 + sh[4][1] * t9 + sh[8][1] * t11 + (sh[1][1] * t12 + sh[5][1] * t14 + sh[13][1] * t16 + sh[9][1] * t17);
+  const float t31 = sh[2][1] * t19 + sh[6][1] * t20 + sh[10][1] * t22 + sh[14][1] * t23 + (sh[3][1] * t24 + sh[7][1] * t25 + sh[11][1] * t26 + sh[15][1] * t27);
+  const float t32 = t30 + t31 + 0.5f;
+  value[1] = t32 < 0.0f ? 0.0f : t32;
+  const float t33 = sh[0][2] * 0.2820948f + sh[12][2] * t4 + sh[4][2] * t9 + sh[8][2] * t11 + (sh[1][2] * t12 + sh[5][2] * t14 + sh[13][2] * t16 + sh[9][2] * t17);
+  const float t34 = sh[2][2] * t19 + sh[6][2] * t20 + sh[10][2] * t22 + sh[14][2] * t23 + (sh[3][2] * t24 + sh[7][2] * t25 + sh[11][2] * t26 + sh[15][2] * t27);
+  const float t35 = t33 + t34 + 0.5f;
+  value[2] = t35 < 0.0f ? 0.0f : t35;
+  const float t36 = t29 < 0.0f ? 0.0f : by_value[0];
+  by_sh[0][0] = t36 * 0.2820948f;
+  const float t37 = t32 < 0.0f ? 0.0f : by_value[1];
+  by_sh[0][1] = t37 * 0.2820948f;
+  const float t38 = t35 < 0.0f ? 0.0f : by_value[2];
+  by_sh[0][2] = t38 * 0.2820948f;
+  by_sh[1][0] = t36 * t12;
+  by_sh[1][1] = t37 * t12;
+  by_sh[1][2] = t38 * t12;
+  by_sh[2][0] = t36 * t19;
+  by_sh[2][1] = t37 * t19;
+  by_sh[2][2] = t38 * t19;
+  by_sh[3][0] = t36 * t24;
+  by_sh[3][1] = t37 * t24;
+  by_sh[3][2] = t38 * t24;
+  by_sh[4][0] = t36 * t9;
+  by_sh[4][1] = t37 * t9;
+  by_sh[4][2] = t38 * t9;
+  by_sh[5][0] = t36 * t14;
+  by_sh[5][1] = t37 * t14;
+  by_sh[5][2] = t38 * t14;
+  by_sh[6][0] = t36 * t20;
+  by_sh[6][1] = t37 * t20;
+  by_sh[6][2] = t38 * t20;
+  by_sh[7][0] = t36 * t25;
+  by_sh[7][1] = t37 * t25;
+  by_sh[7][2] = t38 * t25;
+  by_sh[8][0] = t36 * t11;
+  by_sh[8][1] = t37 * t11;
+  by_sh[8][2] = t38 * t11;
+  by_sh[9][0] = t36 * t17;
+  by_sh[9][1] = t37 * t17;
+  by_sh[9][2] = t38 * t17;
+  by_sh[10][0] = t36 * t22;
+  by_sh[10][1] = t37 * t22;
+  by_sh[10][2] = t38 * t22;
+  by_sh[11][0] = t36 * t26;
+  by_sh[11][1] = t37 * t26;
+  by_sh[11][2] = t38 * t26;
+  by_sh[12][0] = t36 * t4;
+  by_sh[12][1] = t37 * t4;
+  by_sh[12][2] = t38 * t4;
+  by_sh[13][0] = t36 * t16;
+  by_sh[13][1] = t37 * t16;
+  by_sh[13][2] = t38 * t16;
+  by_sh[14][0] = t36 * t23;
+  by_sh[14][1] = t37 * t23;
+  by_sh[14][2] = t38 * t23;
+  by_sh[15][0] = t36 * t27;
+  by_sh[15][1] = t37 * t27;
+  by_sh[15][2] = t38 * t27;
+  const float t39 = t36 * sh[7][0] + t37 * sh[7][1] + t38 * sh[7][2];
+  const float t40 = -0.48860252f * (t36 * sh[3][0] + t37 * sh[3][1] + t38 * sh[3][2]) + t13 * t39;
+  const float t41 = t36 * sh[13][0] + t37 * sh[13][1] + t38 * sh[13][2];
+  const float t42 = 2.0f * t21;
+  const float t43 = t36 * sh[14][0] + t37 * sh[14][1] + t38 * sh[14][2];
+  const float t44 = 1.0925485f * (t36 * sh[8][0] + t37 * sh[8][1] + t38 * sh[8][2]) + t42 * t43;
+  const float t45 = t36 * sh[10][0] + t37 * sh[10][1] + t38 * sh[10][2];
+  const float t46 = 1.0925485f * (t36 * sh[4][0] + t37 * sh[4][1] + t38 * sh[4][2]) + t42 * t45;
+  const float t47 = -1.7701309f * (t36 * sh[15][0] + t37 * sh[15][1] + t38 * sh[15][2]);
+  const float t48 = -1.7701309f * (t36 * sh[9][0] + t37 * sh[9][1] + t38 * sh[9][2]);
+  const float t49 = t40 + t15 * t41 + (t44 * t6 + t46 * t5) + (t47 * t10 + t48 * t8);
+  const float t50 = t36 * sh[5][0] + t37 * sh[5][1] + t38 * sh[5][2];
+  const float t51 = -0.48860252f * (t36 * sh[1][0] + t37 * sh[1][1] + t38 * sh[1][2]) + t13 * t50;
+  const float t52 = t36 * sh[11][0] + t37 * sh[11][1] + t38 * sh[11][2];
+  const float t53 = t51 + t15 * t52 + (t46 * t6 - t44 * t5) + (t48 * t10 - t47 * t8);
+  const float t54 = 0.48860252f * (t36 * sh[2][0] + t37 * sh[2][1] + t38 * sh[2][2]) + -1.7320508f * t13 * (t36 * sh[6][0] + t37 * sh[6][1] + t38 * sh[6][2]);
+  const float t55 = -2.4494898f * t15 * (t36 * sh[12][0] + t37 * sh[12][1] + t38 * sh[12][2]);
+  const float t56 = -3.1622777f * t21;
+  const float t57 = (-1.0925485f * t39 + t56 * t41) * t6 + (-1.0925485f * t50 + t56 * t52) * t5;
+  const float t58 = t54 + t55 + t57 + (1.4453058f * t43 * t10 + 1.4453058f * t45 * t8);
+  const float t59 = t49 * t6 + t53 * t5 + t58 * t2;
+  by_direction[0] = (t49 - t6 * t59) * t1;
+  by_direction[1] = (t53 - t5 * t59) * t1;
+  by_direction[2] = (t58 - t2 * t59) * t1;
 }
 #endif
 

@@ -78,6 +78,7 @@ void prepare_lights(Renderers& renderers, Report& report) {
     const GatherInput input{renderers.scene, renderers.caster, renderers.tables, renderers.map, options};
     if (options.is_planned()) {
       report.scene_plan = report.times.time(stage_name::plan, [&] { return plan_scene(renderers.tables, options); });
+      report.table_bytes = keep_planned(renderers.tables, *report.scene_plan);
       renderers.planned = make_planned(input, *report.scene_plan);
       report.light_bytes = renderers.planned->bytes();
     } else {

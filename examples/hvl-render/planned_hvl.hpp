@@ -238,7 +238,7 @@ class PlannedHvl final : public PlannedGatherer {
   }
 
   std::optional<OneColour> one_colour(std::size_t material) const {
-    const zonal::MaterialTable& table = input_.materials.receiving[material];
+    const auto& table = input_.materials.receiving[material];
     if (symmetry_[material] != zonal::Symmetry::zonal || table.angles() > 1 ||
         input_.materials.parts.count(static_cast<std::uint32_t>(material)) > 0) {
       return std::nullopt;

@@ -151,6 +151,9 @@ std::string explanation(const Report& report) {
       {"bands of emission", std::to_string(options.emission_bands), std::to_string(report.scene_plan->emission_bands)},
       {"gather, s", full > 0.0 ? format("%.2f", full) : "-", format("%.2f", gather)},
       {"lights in memory", bytes_text(report.light_bytes.full), bytes_text(report.light_bytes.planned)},
+      {"materials in memory", bytes_text(report.table_bytes.full), bytes_text(report.table_bytes.planned)},
+      {"bits of a coefficient", "32", std::to_string(report.scene_plan->coefficient_bits)},
+      {"error of 16 bits, at most", "0", percent(report.scene_plan->half_error)},
       {"error, proved", "0", percent(plan.proved_error())},
       {"error, measured", "0", plan.checked > 0 ? percent(plan.measured_error()) : "-"},
   };

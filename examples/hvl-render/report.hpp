@@ -39,6 +39,7 @@ struct Report {
   std::optional<PlanFigures> plan;  // where there was a tolerance
   std::optional<ScenePlan> scene_plan;
   LightBytes light_bytes;
+  TableBytes table_bytes;
   std::vector<std::string> material_names;
   std::optional<ImageErrors> errors;  // where there was something to compare with
 };

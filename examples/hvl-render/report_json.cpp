@@ -71,10 +71,18 @@ nlohmann::json budget_json(const Report& report) {
           {"took_seconds", light_seconds(report)}};
 }
 
+/// As docs/rooms/plan.md has it, for zonal-glsl --plan.
 nlohmann::json coefficients_json(const zonal::CoefficientPlan& plan) {
   const char* const names[] = {"zonal", "mirror", "none"};
+  nlohmann::json left_out = nlohmann::json::array();
+  for (int l = 0; l < plan.bands; ++l) {
+    for (int m = -l; m <= l; ++m) {
+      if (has_order(plan.symmetry, m) && !plan.keeps(l, m)) left_out.push_back({l, m});
+    }
+  }
   return {{"symmetry", names[static_cast<int>(plan.symmetry)]},
           {"bands", plan.bands},
+          {"left_out", left_out},
           {"coefficients", plan.kept_count()},
           {"mean_error", plan.error.mean},
           {"worst_error", plan.error.worst}};
@@ -91,11 +99,15 @@ nlohmann::json plan_json(const Report& report) {
   const PlanFigures& plan = *report.plan;
   const auto hits = static_cast<double>(std::max<std::size_t>(plan.hits, 1));
   nlohmann::json json{{"materials", materials},
+                      {"horizon", name_of(horizon_names, report.options.horizon)},
+                      {"coefficient_bits", report.scene_plan->coefficient_bits},
+                      {"half_error", report.scene_plan->half_error},
                       {"emission_bands", report.scene_plan->emission_bands},
                       {"groups", plan.groups},
                       {"lights_per_hit", plan.cut_lights / hits},
                       {"lights_per_hit_not_dark", plan.pairs / hits},
                       {"light_bytes", {{"planned", report.light_bytes.planned}, {"full", report.light_bytes.full}}},
+                      {"table_bytes", {{"planned", report.table_bytes.planned}, {"full", report.table_bytes.full}}},
                       {"proved_error", plan.proved_error()},
                       {"checked_hits", plan.checked}};
   if (plan.checked > 0) {

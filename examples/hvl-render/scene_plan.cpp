@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 namespace example::hvl_render {
 namespace {
@@ -28,6 +29,21 @@ CoefficientPlan everything(Symmetry symmetry, int bands) {
   return plan;
 }
 
+/// What virtual lights read of it.
+zonal::MaterialTable first_bands(const zonal::MaterialTable& table, int bands) {
+  const int size = zonal::even_index(std::min(bands, table.bands()), 0);
+  std::vector<glm::vec3> rows[2];
+  const std::vector<glm::vec3>* const whole[] = {&table.with_cosine_rows(), &table.without_cosine_rows()};
+  for (int k = 0; k < 2; ++k) {
+    for (int row = 0; row < table.angles(); ++row) {
+      const auto first = whole[k]->begin() + row * table.row_size();
+      rows[k].insert(rows[k].end(), first, first + size);
+    }
+  }
+  return {std::min(bands, table.bands()), table.angles(), table.achieved_error(), std::move(rows[0]),
+          zonal::MirroredRows(std::move(rows[1]))};
+}
+
 }  // namespace
 
 ScenePlan plan_scene(const MaterialTables& tables, const Options& options) {
@@ -38,16 +54,43 @@ ScenePlan plan_scene(const MaterialTables& tables, const Options& options) {
     if (tables.anisotropic[i]) {  // their rows are made when they are read
       needs = {everything(Symmetry::none, options.bands), everything(Symmetry::none, options.emission_bands)};
     } else {
-      needs = {plan_receiver(tables.receiving[i], receiving), plan_emission(tables.emitting[i], emitting)};
-      if (const auto parts = tables.parts.find(i); parts != tables.parts.end()) {
-        needs.receiving = joined(needs.receiving, plan_receiver(*parts->second.receiving, receiving));
+      const zonal::MaterialTable& table = tables.receiving[i].whole();
+      needs = {plan_receiver(table, receiving), plan_emission(tables.emitting[i], emitting)};
+      const auto parts = tables.parts.find(i);
+      if (parts != tables.parts.end()) {
+        const zonal::MaterialTable& body = parts->second.receiving->whole();
+        needs.receiving = joined(needs.receiving, plan_receiver(body, receiving));
         needs.emitting = joined(needs.emitting, plan_emission(*parts->second.emitting, emitting));
+        plan.half_error = std::max(plan.half_error, half_error(body, needs.receiving).mean);
       }
+      plan.half_error = std::max(plan.half_error, half_error(table, needs.receiving).mean);
     }
     plan.emission_bands = std::max(plan.emission_bands, needs.emitting.bands);
     plan.materials.push_back(std::move(needs));
   }
+  if (plan.half_error <= 0.05 * options.tolerance) {
+    plan.coefficient_bits = 16;
+  } else {
+    plan.half_error = 0;
+  }
   return plan;
+}
+
+TableBytes keep_planned(MaterialTables& tables, const ScenePlan& plan) {
+  TableBytes bytes{0, tables.bytes()};
+  for (std::uint32_t i = 0; i < plan.materials.size(); ++i) {
+    const MaterialNeeds& needs = plan.materials[i];
+    const auto keep = [&](ReceivingTable& receiving, zonal::MaterialTable& emitting) {
+      receiving.keep(needs.receiving, plan.coefficient_bits);
+      emitting = first_bands(emitting, needs.emitting.bands);
+    };
+    keep(tables.receiving[i], tables.emitting[i]);
+    if (const auto parts = tables.parts.find(i); parts != tables.parts.end()) {
+      keep(*parts->second.receiving, *parts->second.emitting);
+    }
+  }
+  bytes.planned = tables.bytes();
+  return bytes;
 }
 
 }  // namespace example::hvl_render

@@ -85,6 +85,21 @@ void set_radii(std::vector<zonal::VirtualLight>& map, int side, const Spotlight&
 
 }  // namespace
 
+std::size_t bytes_of(const zonal::MaterialTable& table) {
+  return (table.with_cosine_rows().size() + table.without_cosine_rows().size()) * sizeof(glm::vec3);
+}
+std::size_t ReceivingTable::bytes() const { return kept_ ? kept_->bytes() : bytes_of(*whole_); }
+
+std::size_t MaterialTables::bytes() const {
+  std::size_t sum = 0;
+  for (const ReceivingTable& table : receiving) sum += table.bytes();
+  for (const zonal::MaterialTable& table : emitting) sum += bytes_of(table);
+  for (const auto& [material, of] : parts) {
+    sum += (of.receiving ? of.receiving->bytes() : 0) + (of.emitting ? bytes_of(*of.emitting) : 0);
+  }
+  return sum;
+}
+
 int block_side(const Options& options) { return options.blocks() ? options.vsgl_texels : 1; }
 
 int map_side(const Options& options) {
@@ -218,7 +233,7 @@ MaterialTables project_materials(const std::vector<Material>& materials, const O
     } else if (options.method == Method::hvl) {
       if (known != projected.end()) {
         const std::size_t first = known->second;
-        tables.receiving.push_back(zonal::MaterialTable(tables.receiving[first]));
+        tables.receiving.push_back(ReceivingTable(tables.receiving[first]));
         tables.emitting.push_back(zonal::MaterialTable(tables.emitting[first]));
         tables.anisotropic.push_back(std::shared_ptr<const zonal::AnisotropicTable>(tables.anisotropic[first]));
         continue;
@@ -231,7 +246,7 @@ MaterialTables project_materials(const std::vector<Material>& materials, const O
       tables.emitting.push_back(table.windowed(options.window, options.emission_bands));
       tables.anisotropic.push_back(isotropic ? nullptr : anisotropic_table(material, bands, options));
       tables.error = std::max(tables.error, table.achieved_error());
-      if (parts) tables.error = std::max(tables.error, parts->receiving->achieved_error());
+      if (parts) tables.error = std::max(tables.error, parts->receiving->whole().achieved_error());
     }
     if (file) projected.emplace(*file, static_cast<std::size_t>(&material - materials.data()));
   }

@@ -3,9 +3,16 @@
 
 #include <cstdio>
 #include <fstream>
+#include <regex>
+#include <string>
 
 #include "../shader/caller.hpp"
 #include "shader_functions.hpp"
+
+/// An out parameter that is no array has to be a reference.
+static std::string as_cpp(const std::string& glsl) {
+  return std::regex_replace(glsl, std::regex("out (\\w+) (\\w+)(?=[,)])"), "$1 &$2");
+}
 
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
@@ -15,7 +22,7 @@ int main(int argc, char** argv) {
     for (const int bands : {1, 2, 4}) {
       if (!entry.has_bands && bands > 1) continue;
       const auto function = entry.record(bands, zonal::shader::all_orders);
-      file << function_text(function, *zonal::shader::find_dialect("glsl450")) << caller_text(function, "int");
+      file << as_cpp(function_text(function, *zonal::shader::find_dialect("glsl450"))) << caller_text(function, "int");
       table += "    {\"" + function.name + "\", call_" + function.name + "},\n";
     }
   }

@@ -26,7 +26,7 @@ struct KernelRuns {
   std::tuple<Run<float>, Run<double>, Run<long double>, Run<FloatPacket>, Run<DoublePacket>, Run<DoubleDual>,
              Run<FloatShadow>>
       runs;
-  zonal::shader::RecordedFunction (*record)(int order);  // null where zonal-glsl has it
+  zonal::shader::RecordedFunction (*record)(const zonal::shader::Part& part);  // null where zonal-glsl has it
 
   template <class T>
   std::vector<T> run(const std::vector<T>& inputs, std::size_t output_count) const {

@@ -5,6 +5,7 @@
 #include <zonal/material/material_table.hpp>
 #include <zonal/material/named.hpp>
 #include <zonal/material/oren_nayar.hpp>
+#include <zonal/plan/kept_table.hpp>
 #include <zonal/plan/material_plan.hpp>
 #include <zonal/scalar/quadrature.hpp>
 
@@ -63,8 +64,9 @@ std::vector<Direction> all_directions() {
   return result;
 }
 
-/// The errors of a row's plan as they are defined: of sums over directions, a light's cap of that sine.
-zonal::PlanError measured(const zonal::EvenSh<N, glm::vec3>& row, int bands, const CoefficientPlan& plan, double sine) {
+/// The errors of a row in place of another as they are defined: of sums over directions, a light's cap of that sine.
+using Row = zonal::EvenSh<N, glm::vec3>;
+zonal::PlanError measured(const Row& row, const Row& other, int bands, double sine) {
   const auto cap = zonal::project<N>(zonal::SphericalCap<double>{std::sqrt(1 - sine * sine), sine});
   double square = 0, whole = 0, greatest = 0;
   for (const Direction& direction : all_directions()) {
@@ -73,9 +75,8 @@ zonal::PlanError measured(const zonal::EvenSh<N, glm::vec3>& row, int bands, con
     for (int l = 0; l < bands; ++l) {
       const double a = sine > 0 ? cap[l] / cap[0] / std::sqrt(2.0 * l + 1) : 1;
       for (int m = 0; m <= l; ++m) {
-        const glm::dvec3 term = a * y(l, m) * glm::dvec3(row(l, m));
-        full += term;
-        if (plan.keeps(l, m)) planned += term;
+        full += a * y(l, m) * glm::dvec3(row(l, m));
+        planned += a * y(l, m) * glm::dvec3(other(l, m));
       }
     }
     const double difference = glm::dot(full - planned, full - planned);
@@ -86,13 +87,22 @@ zonal::PlanError measured(const zonal::EvenSh<N, glm::vec3>& row, int bands, con
   return {std::sqrt(square / whole), std::sqrt(greatest / (whole / (4 * pi)))};
 }
 
+Row kept_of(Row row, const CoefficientPlan& plan) {
+  for (int l = 0; l < N; ++l) {
+    for (int m = 0; m <= l; ++m) {
+      if (!plan.keeps(l, m)) row(l, m) = glm::vec3(0);
+    }
+  }
+  return row;
+}
+
 /// The greatest of all rows.
 zonal::PlanError measured(const MaterialTable& table, int bands, const CoefficientPlan& plan, double sine = 0) {
   zonal::PlanError error;
   for (int angle = 0; angle<table.angles(); angle += sine> 0 ? 11 : 1) {
-    zonal::EvenSh<N, glm::vec3> row{};
+    Row row{};
     for (int i = 0; i < row.size(); ++i) row[i] = table.with_cosine_rows()[std::size_t(angle * table.row_size() + i)];
-    const zonal::PlanError of_row = measured(row, bands, plan, sine);
+    const zonal::PlanError of_row = measured(row, kept_of(row, plan), bands, sine);
     error.mean = std::max(error.mean, of_row.mean);
     error.worst = std::max(error.worst, of_row.worst);
   }
@@ -240,6 +250,46 @@ TEST_CASE("plan: a planned gather differs from the full one by what the plan say
   CAPTURE(seen, plan.error.mean);
   CHECK(seen <= 1.03 * plan.error.mean);  // negative sums are cut; 4000 directions are a sample
   CHECK(seen >= plan.error.mean / 2);
+}
+
+TEST_CASE("plan: a table of what is kept is the whole one without the rest, and of half floats within their error") {
+  for (const Named& material : materials()) {
+    for (const double tolerance : {0.0, 0.01, 0.1}) {
+      const CoefficientPlan plan = plan_receiver(material.table, {N, tolerance});
+      const zonal::KeptTable floats(material.table, plan), halves(material.table, plan, 16);
+      const zonal::PlanError error = half_error(material.table, plan);
+      CAPTURE(material.name, tolerance, plan.kept_count());
+      CHECK(floats.row_size() == plan.kept_count());
+      CHECK(floats.bytes() == std::size_t(12 * material.table.angles() * plan.kept_count()));
+      CHECK(2 * halves.bytes() == floats.bytes());
+      CHECK(error.mean <= 1.01 * 0x1p-11);
+      zonal::PlanError greatest;
+      for (float cosine = -0.05F; cosine < 1.05F; cosine += 0.013F) {
+        const Row kept = kept_of(material.table.with_cosine<N>(cosine), plan);
+        const Row given = floats.with_cosine<N>(cosine), rounded = halves.with_cosine<N>(cosine);
+        for (int i = 0; i < kept.size(); ++i) CHECK(glm::length(given[i] - kept[i]) <= 1e-6F * glm::length(kept[0]));
+        CHECK(floats.with_cosine<3>(cosine).values[5] == given[5]);  // the first bands are those of fewer
+        const zonal::PlanError seen = measured(kept, rounded, N, 0);
+        greatest.mean = std::max(greatest.mean, seen.mean);
+        greatest.worst = std::max(greatest.worst, seen.worst);
+      }
+      CAPTURE(error.mean, greatest.mean, error.worst, greatest.worst);
+      CHECK(greatest.mean <= error.mean + rounding);
+      CHECK(greatest.worst <= error.worst + rounding);
+      CHECK(error.mean <= 5 * greatest.mean);
+    }
+  }
+}
+
+TEST_CASE("plan: half floats do not hold what is beyond them, and keep what is nearly nothing to 2^-25") {
+  const auto error_of = [](float first, float second) {
+    const std::vector<glm::vec3> row = {{first, 0, 0}, {second, 0, 0}, {0, 0, 0}};
+    const MaterialTable table(2, 1, 0, row, zonal::MirroredRows(row));
+    return half_error(table, plan_receiver(table, {2, 0})).mean;
+  };
+  CHECK(std::isinf(error_of(1, 7e4F)));
+  CHECK(error_of(1, 1e-7F) <= 1.001 * 0x1p-11);
+  CHECK(error_of(1e-7F, 0) >= 0.19);  // 6e-8 or 1.2e-7
 }
 
 TEST_CASE("plan: 200 materials in milliseconds") {

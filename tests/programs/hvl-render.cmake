@@ -136,6 +136,11 @@ renders("OBJ by both methods" "out out/difference.png out/hvl.exr out/hvl.png ou
 renders("no second horizon" "x.png" "" --scene box.obj --out x.png --horizon none --visibility centre)
 renders("within a tolerance" "x.json x.png" "" --scene box.obj --out x.png --report x.json --lights 400 --tolerance 0.02
   --explain)
+if(TARGET zonal-glsl)
+  program_case("a shader of the plan" 0 "x.glsl x.json x.png" "" sh -c "'$<TARGET_FILE:hvl-render>' --scene box.obj \
+    --size 16x12 --out x.png --report x.json --lights 400 --tolerance 0.02 && \
+    '$<TARGET_FILE:zonal-glsl>' --plan x.json -o x.glsl && grep -q zonal_gather_planned x.glsl")
+endif()
 renders("comparison within a tolerance" "out out/difference.png out/hvl.exr out/hvl.png out/reference.exr out/reference.png"
   "" --scene box.obj --lights 400 --tolerance 0.02 --compare out --visibility centre --horizon none)
 renders("textures within a tolerance" "x.png" "hvl-render: warning: virtual lights on 'tile' and other glossy reliefs .*"

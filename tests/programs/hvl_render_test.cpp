@@ -267,6 +267,43 @@ TEST_CASE("tolerance: holds where rays decide which lights are seen") {
   CHECK(figures.proved_error() <= 1.1 * options.tolerance);
 }
 
+TEST_CASE("tolerance: tables of what a plan keeps change the gather by the error of 16 bits, and take a third") {
+  const Scene scene = box_scene();
+  const RayCaster caster(scene);
+  Options options;
+  options.tolerance = 0.01;
+  MaterialTables tables = project_materials(scene.materials, options);
+  const ScenePlan plan = plan_scene(tables, options);
+  const auto gathered = [&] {
+    const VirtualLightMap map = shoot_virtual_lights(scene, caster, tables, options);
+    const auto gatherer = make_gatherer({scene, caster, tables, map, options});
+    std::vector<glm::dvec3> radiance;
+    for (int i = 0; i < 400; ++i) {  // a lattice of places in the box, and where they are seen
+      const glm::vec3 target(-1.0f + 0.1f * static_cast<float>(i % 20), 0.1f * static_cast<float>(i / 20), -1.0f);
+      const auto hit = caster.closest(scene.camera.position, glm::normalize(target - scene.camera.position));
+      if (hit) radiance.emplace_back(gatherer->indirect_radiance(*hit, to_camera(scene, *hit), 0));
+    }
+    return radiance;
+  };
+  const std::vector<glm::dvec3> whole = gathered();
+  const TableBytes bytes = keep_planned(tables, plan);
+  const std::vector<glm::dvec3> kept = gathered();
+  double square = 0.0, error = 0.0;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    square += glm::dot(whole[i], whole[i]);
+    error += glm::dot(kept[i] - whole[i], kept[i] - whole[i]);
+  }
+  CAPTURE(plan.half_error, std::sqrt(error / square), bytes.planned, bytes.full);
+  CHECK(whole.size() > 300);
+  CHECK(plan.coefficient_bits == 16);
+  CHECK(error > 0.0);
+  CHECK(std::sqrt(error / square) <= plan.half_error);
+  CHECK(std::sqrt(error / square) >= plan.half_error / 20);
+  CHECK(3 * bytes.planned < bytes.full);
+  options.tolerance = 0.005;
+  CHECK(plan_scene(project_materials(scene.materials, options), options).coefficient_bits == 32);
+}
+
 TEST_CASE("time budget: more time is more lights, and none is one") {
   for (const Method method : {Method::vpl, Method::hvl_zonal, Method::vsgl, Method::vsgl_2024}) {
     const int none = lights_within(1e-6, method), some = lights_within(0.1, method), many = lights_within(4.0, method);
@@ -488,14 +525,14 @@ TEST_CASE("materials: a file is projected once, for all materials and under all 
   const auto tables = project_materials(scene.materials, options);
   only_table(options.material_cache);
   REQUIRE(tables.receiving.size() == 2);
-  CHECK(tables.receiving[0].with_cosine_rows() == tables.receiving[1].with_cosine_rows());
+  CHECK(tables.receiving[0].whole().with_cosine_rows() == tables.receiving[1].whole().with_cosine_rows());
   // another file of the same name is another material
   file_test::write(folder.path / "copper-1.bsdf",
                    material_test::tensor_file(material_test::rgl_tensors({0.4, 0.4}, grid)));
   apply({parse_material_change("a=" + (folder.path / "copper-1.bsdf").string())}, scene.materials);
   const auto changed = project_materials(scene.materials, options);
-  CHECK(changed.receiving[0].with_cosine_rows() != tables.receiving[0].with_cosine_rows());
-  CHECK(changed.receiving[1].with_cosine_rows() == tables.receiving[1].with_cosine_rows());
+  CHECK(changed.receiving[0].whole().with_cosine_rows() != tables.receiving[0].whole().with_cosine_rows());
+  CHECK(changed.receiving[1].whole().with_cosine_rows() == tables.receiving[1].whole().with_cosine_rows());
 }
 
 TEST_CASE("materials: the cache of projections is written once, and read") {
@@ -510,7 +547,7 @@ TEST_CASE("materials: the cache of projections is written once, and read") {
   const auto written = std::filesystem::last_write_time(table);
   const auto read = project_materials(scene.materials, options);
   CHECK(std::filesystem::last_write_time(table) == written);
-  CHECK(read.receiving[0].with_cosine_rows() == built.receiving[0].with_cosine_rows());
+  CHECK(read.receiving[0].whole().with_cosine_rows() == built.receiving[0].whole().with_cosine_rows());
 }
 
 TEST_CASE("materials: the cache's directory is made; where it cannot be, that is bad input") {

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "../catch.hpp"
+#include "adjoints.hpp"
 #include "caller.hpp"
 #include "compare.hpp"
 #include "driver.hpp"
@@ -108,6 +109,21 @@ TEST_CASE("Every pair of orders, at 1 to 3 and 5 bands, is on the driver what it
   check_all({1, 2, 3, 5}, [](Driver& driver, const FunctionEntry& entry, int bands, const auto& options) {
     for (int m = 0; m < entry.order_count(bands); ++m) check(driver, entry.record(bands, m), bands, options);
   });
+}
+
+TEST_CASE("Every adjoint, at 2 bands, is on the driver what its record is") {
+  check_all({2}, [](Driver& driver, const FunctionEntry& entry, int bands, const auto& options) {
+    if (const auto adjoint = adjoint_of(entry, bands)) check(driver, *adjoint, bands, options);
+  });
+}
+
+TEST_CASE("A splat's colour and its derivatives, at 4 bands, are on the driver what their record is") {
+  Driver* driver = driver_or_skip();
+  if (driver == nullptr) return;
+  zonal::shader::TextOptions options;
+  options.precise = true;
+  check(*driver, *adjoint_of(*zonal_glsl::find_function("splat_colour"), 4), 4, options);
+  check(*driver, zonal_glsl::find_function("splat_with_adjoint")->record(4, all_orders), 4, options);
 }
 
 TEST_CASE("With a temporary for every operation the driver computes the same") {

@@ -1,6 +1,7 @@
 // The records themselves: that they are what C++ computes, for colours too, and what is left when coefficients go.
 #include <glm/vec3.hpp>
 #include <zonal/shader/shells.hpp>
+#include <zonal/transform/reconstruct_adjoint.hpp>
 #include <zonal/zonal.hpp>
 
 #include <functional>
@@ -170,6 +171,17 @@ const std::map<std::string, std::function<std::vector<float>(Row)>> with_colours
        const auto sh = row.read<Sh<Colour>>();
        const auto kernel = row.read<Zh<float>>();
        return flat(zonal::reconstruct_convolved(sh, kernel, row.colour()));
+     }},
+    {"reconstruct_along_colour",
+     [](Row row) {
+       const auto sh = row.read<Sh<Colour>>();
+       return flat(zonal::reconstruct_along(sh, row.colour()));
+     }},
+    {"splat_colour",
+     [](Row row) {
+       const auto sh = row.read<Sh<Colour>>();
+       const Colour position = row.colour();
+       return flat(zonal::reconstruct_along<zonal::ColourRule::splat>(sh, position - row.colour()));
      }},
     {"convolve_colour", convolution_of<Sh<Colour>>},
     {"convolve_colours", convolution_by_channel<Sh<Colour>, Sh<float>>},

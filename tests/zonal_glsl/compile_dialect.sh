@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Compiles every function in a dialect: compile_dialect.sh <zonal-glsl> <dialect> <c++> <folder>
 # First files of several numbers of bands in one, as they may be included or pasted together: they have the functions
-# without bands in common. Then the form without arrays.
+# without bands in common. Then the form without arrays, and adjoints beside what they are of.
 # Exit status 77 where this machine has no compiler of the dialect; 1 instead where CI=true.
 set -eu
 here="$(cd "$(dirname "$0")" && pwd)"
@@ -16,6 +16,11 @@ skip() {
 }
 need() { command -v "$1" >/dev/null || skip "no $1 (Debian package $2)"; }
 names() { "$program" --bands "$1" --list | awk '/^Loops/ { exit } /^[a-z]/ { print $1 }' | paste -sd,; }
+adjoints() {  # of those that have one
+  for name in $(names "$1" | tr , ' '); do
+    if "$program" --bands "$1" --adjoint "$name" >/dev/null 2>&1; then echo "$name"; fi
+  done | paste -sd,
+}
 loops="$("$program" --bands 1 --list | awk '/^Loops/ { after = 1; next } after && /^[a-z]/ { print $1 }' | paste -sd,)"
 
 # What the loops read: a buffer, or in WebGL 2 a texture.
@@ -91,4 +96,8 @@ for bands in 1 2 5 10; do
 done
 compile functions
 "$program" --bands 3 --functions "$(names 3)" --dialect "$dialect" --flat -o functions
+compile functions
+"$program" --bands 4 --functions "$(names 4)" --adjoint "$(adjoints 4)" --dialect "$dialect" $precise -o functions
+compile functions
+"$program" --bands 2 --adjoint "$(adjoints 2)" --dialect "$dialect" --flat -o functions
 compile functions

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -10,6 +11,9 @@
 #include <zonal/shader/file_text.hpp>
 #include <zonal/shader/function_table.hpp>
 
+#ifdef ZONAL_GLSL_HAS_JSON
+#include "plan_file.hpp"
+#endif
 #include "request.hpp"
 
 namespace zonal_glsl {
@@ -21,7 +25,7 @@ struct Options {
   Request request;
   std::string bands = std::to_string(std::min(5, zonal::shader::max_bands));
   std::string dialect = "glsl450";
-  std::string output;
+  std::string output, plan;
   bool list = false, count = false, temporaries = false;
 };
 
@@ -37,6 +41,14 @@ void add_options(CLI::App& app, Options& options) {
                  "What to write, by name; with a number of bands of its own: evaluate@3; of evaluate and its like also "
                  "a part: evaluate:even, evaluate:degree2@4")
       ->delimiter(',');
+  app.add_option(
+         "--adjoint", options.request.adjoints,
+         "The same, each with derivatives: takes a loss's by its outputs, by_value, and gives those by its inputs")
+      ->delimiter(',');
+  app.add_option("--by", options.request.by, "The inputs that --adjoint is for, by name; otherwise all: sh,direction")
+      ->delimiter(',');
+  app.add_option("--plan", options.plan,
+                 "A plan, or a report that has one, in JSON: writes what it keeps, and zonal_gather_planned");
   app.add_option("--bands", options.bands, "Bands, 1 to " + std::to_string(zonal::shader::max_bands))
       ->capture_default_str();
   app.add_option("--dialect", options.dialect, "One of " + dialect_names())->capture_default_str();
@@ -50,6 +62,16 @@ void add_options(CLI::App& app, Options& options) {
   app.add_flag("--list", options.list, "Print names and signatures of all functions instead");
 }
 
+/// Nothing of a plan's file name but its last part goes into what is written.
+void read_plan(Options& options) {
+#ifdef ZONAL_GLSL_HAS_JSON
+  options.request.plan = zonal_glsl::read_plan(options.plan);
+  options.request.plan_name = std::filesystem::path(options.plan).filename().string();
+#else
+  throw RequestError("--plan: not built in, for want of nlohmann-json");
+#endif
+}
+
 void run(Options& options) {
   const zonal::shader::Dialect* dialect = zonal::shader::find_dialect(options.dialect);
   if (dialect == nullptr) throw RequestError("--dialect: '" + options.dialect + "' is not one of " + dialect_names());
@@ -58,7 +80,13 @@ void run(Options& options) {
     std::fputs(function_list(options.request, *dialect).c_str(), stdout);
     return;
   }
-  if (options.request.functions.empty()) throw RequestError("--functions names none (--list names them all)");
+  if (!options.plan.empty()) read_plan(options);
+  if (options.request.functions.empty() && options.request.adjoints.empty() && !options.request.plan) {
+    throw RequestError("--functions names none (--list names them all)");
+  }
+  if (!options.request.by.empty() && options.request.adjoints.empty()) {
+    throw RequestError("--by: there is no --adjoint");
+  }
   options.request.text.compound = !options.temporaries;
   const std::string text =
       options.count ? operation_table(options.request, *dialect) : shader_file(options.request, *dialect);

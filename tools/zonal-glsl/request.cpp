@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include <zonal/shader/adjoint_function.hpp>
 #include <zonal/shader/file_text.hpp>
 #include <zonal/shader/shells.hpp>
 
@@ -52,7 +53,9 @@ class Selector {
  public:
   Selector(const Request& request, const Dialect& dialect) : request_(request), dialect_(dialect) {
     check_options();
+    if (request.plan) add(*request.plan);
     for (const std::string& name : request.functions) add(name);
+    for (const std::string& name : request.adjoints) add_adjoint(name);
   }
   Selection result;
 
@@ -72,35 +75,76 @@ class Selector {
     }
   }
 
-  void add(const std::string& item) {
-    const std::size_t at = item.find('@');
-    const std::string name = item.substr(0, at);
-    const int bands = at == std::string::npos ? request_.bands : parse_bands("'" + item + "'", item.substr(at + 1));
-    const std::size_t colon = name.find(':');
-    const std::string base = name.substr(0, colon);
-    if (const FunctionEntry* function = find_function(base)) {
-      if (at != std::string::npos && !function->has_bands) refuse(item, "has no bands to choose");
-      if (bands > function->most_bands) {
-        throw RequestError("'" + item + "' has at most " + std::to_string(function->most_bands) + " bands");
-      }
-      RecordedFunction recorded = function->record(bands, zonal::shader::all_orders);
-      if (colon != std::string::npos) {
-        const std::string selection = name.substr(colon + 1);
-        const Coefficients coefficients = parse_coefficients(name, selection, bands);
-        if (!keep_coefficients(recorded, [&](int l, int m) { return coefficients.keep(l, m); })) {
-          refuse(name, "has no outputs by degree and order to select from");
-        }
-        recorded.name += "_" + selection;
-        recorded.remark = remark(selection, coefficients);
-      }
-      add(std::move(recorded));
-    } else if (const Shell* shell = zonal::shader::find_shell(name)) {
-      if (!dialect_.has_loops) refuse(name, "is a loop, which is there in GLSL only");
-      if (request_.text.flat) refuse(name, "is a loop, which takes arrays: not with --flat");
-      add(*shell, bands);
-    } else {
-      refuse(name, "is no function (--list names them)");
+  void add(const zonal::shader::PlannedMaterials& plan) {
+    check_loops("gather_planned");
+    const zonal::shader::PlannedShells planned = planned_shells(plan, dialect_, request_.text);
+    for (const auto& need : planned.needs) {
+      add(find_function(need.function.function)->record(need.bands, need.function.part));
     }
+    result.shells = planned.shells;
+  }
+
+  void check_loops(const std::string& name) const {
+    if (!dialect_.has_loops) refuse(name, "is a loop, which is there in GLSL only");
+    if (request_.text.flat) refuse(name, "is a loop, which takes arrays: not with --flat");
+  }
+
+  /// <name>[:<selection>][@<bands>]
+  struct Item {
+    std::string text, name, selection;
+    bool has_bands;
+    int bands;
+  };
+  Item parse(const std::string& text) const {
+    const std::size_t at = text.find('@');
+    const std::string name = text.substr(0, at);
+    const bool has_bands = at != std::string::npos;
+    const std::size_t colon = name.find(':');
+    return {text, name.substr(0, colon), colon == std::string::npos ? "" : name.substr(colon), has_bands,
+            has_bands ? parse_bands("'" + text + "'", text.substr(at + 1)) : request_.bands};
+  }
+
+  void add(const std::string& text) {
+    const Item item = parse(text);
+    if (const FunctionEntry* function = find_function(item.name)) {
+      add(record(*function, item));
+    } else if (const Shell* shell = zonal::shader::find_shell(item.name + item.selection)) {
+      check_loops(item.name);
+      add(*shell, item.bands);
+    } else {
+      refuse(item.name + item.selection, "is no function (--list names them)");
+    }
+  }
+  void add_adjoint(const std::string& text) {
+    const Item item = parse(text);
+    const FunctionEntry* function = find_function(item.name);
+    if (function == nullptr) {
+      const bool is_loop = zonal::shader::find_shell(item.name) != nullptr;
+      refuse(item.name, is_loop ? "is a loop, which has no adjoint" : "is no function (--list names them)");
+    }
+    try {
+      add(adjoint_function(record(*function, item), request_.by));
+    } catch (const zonal::shader::NoAdjoint& none) {
+      throw RequestError(std::string("--adjoint: ") + none.what());
+    }
+  }
+
+  RecordedFunction record(const FunctionEntry& function, const Item& item) const {
+    if (item.has_bands && !function.has_bands) refuse(item.text, "has no bands to choose");
+    if (item.bands > function.most_bands) {
+      throw RequestError("'" + item.text + "' has at most " + std::to_string(function.most_bands) + " bands");
+    }
+    RecordedFunction recorded = function.record(item.bands, zonal::shader::all_orders);
+    if (!item.selection.empty()) {
+      const std::string selection = item.selection.substr(1), name = item.name + item.selection;
+      const Coefficients coefficients = parse_coefficients(name, selection, item.bands);
+      if (!keep_coefficients(recorded, [&](int l, int m) { return coefficients.keep(l, m); })) {
+        refuse(name, "has no outputs by degree and order to select from");
+      }
+      recorded.name += "_" + selection;
+      recorded.remark = remark(selection, coefficients);
+    }
+    return recorded;
   }
   void add(RecordedFunction&& recorded) {
     const auto is_same = [&](const RecordedFunction& other) { return other.name == recorded.name; };
@@ -116,7 +160,7 @@ class Selector {
     const std::string name = shell_name(shell, bands, request_.text);
     const auto is_same = [&](const NamedText& other) { return other.name == name; };
     if (std::any_of(result.shells.begin(), result.shells.end(), is_same)) return;
-    for (const auto& need : shell.needs(bands)) add(find_function(need.function)->record(bands, need.order));
+    for (const auto& need : shell.needs(bands)) add(find_function(need.function)->record(bands, need.part));
     result.shells.push_back({name, shell_text(shell, bands, dialect_, request_.text)});
   }
 
@@ -133,8 +177,17 @@ std::string join(const std::vector<std::string>& names) {
 /// The options that a file was made with.
 std::string made_by(const Request& request) {
   const zonal::shader::TextOptions& text = request.text;
-  return "--bands " + std::to_string(request.bands) + " --functions " + join(request.functions) +
-         (text.compound ? "" : " --temporaries") + (text.precise ? " --precise" : "") + (text.flat ? " --flat" : "") +
+  std::string made;
+  const auto option = [&](const char* name, const std::string& value) {
+    if (!value.empty()) made += (made.empty() ? "" : " ") + (name + value);
+  };
+  if (request.plan) option("--plan ", request.plan_name);
+  if (!request.functions.empty() || !request.adjoints.empty()) option("--bands ", std::to_string(request.bands));
+  option("--functions ", join(request.functions));
+  option("--adjoint ", join(request.adjoints));
+  option("--by ", join(request.by));
+  return made + (text.compound ? "" : " --temporaries") + (text.precise ? " --precise" : "") +
+         (text.flat ? " --flat" : "") +
          (text.prefix == zonal::shader::TextOptions().prefix ? "" : " --prefix " + text.prefix);
 }
 
@@ -175,11 +228,11 @@ std::string function_list(const Request& request, const Dialect& dialect) {
 }
 
 std::string operation_table(const Request& request, const Dialect& dialect) {
-  std::string text = "function                              total   add   mul   div  sqrt  choose\n";
+  std::string text = "function                                      total   add   mul   div  sqrt  choose\n";
   for (const RecordedFunction& function : select(request, dialect).functions) {
     const zonal::OperationCount c = function.count();
     char line[120];
-    std::snprintf(line, sizeof line, "%-36s %6d %5d %5d %5d %5d %7d\n", function.name.c_str(), c.total(), c.additions,
+    std::snprintf(line, sizeof line, "%-44s %6d %5d %5d %5d %5d %7d\n", function.name.c_str(), c.total(), c.additions,
                   c.multiplications, c.divisions, c.functions, c.comparisons);
     text += line;
   }

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <zonal/shader/dialect.hpp>
 #include <zonal/shader/file_text.hpp>
+#include <zonal/shader/planned_shells.hpp>
 
 namespace zonal_glsl {
 
@@ -15,10 +17,15 @@ struct RequestError : std::runtime_error {
 };
 
 /// Functions and shells by name: <name>[:even|:degree<l>][@<bands>]. A selection of coefficients, evaluate:even (m >=
-/// 0) or evaluate:degree2, leaves the others out, and what they alone need; without @<bands> there are `bands`.
+/// 0) or evaluate:degree2, leaves the others out, and what they alone need; without @<bands> there are `bands`. Before
+/// them what a plan asks for.
 struct Request {
   std::vector<std::string> functions;
+  std::vector<std::string> adjoints;  // the same, with derivatives; no shells
+  std::vector<std::string> by;        // inputs, of all adjoints; if none, all
   int bands = 5;
+  std::optional<zonal::shader::PlannedMaterials> plan;
+  std::string plan_name;  // for the heading
   zonal::shader::TextOptions text;
 };
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <type_traits>
 
+#include "../scalar/half.hpp"
 #include "../scalar/refuse.hpp"
-#include "half.hpp"
 #include "rgb.hpp"
 
 namespace zonal {

@@ -31,8 +31,8 @@
 
 #include <glm/vec3.hpp>
 
-#include "../environment/half.hpp"
 #include "../file/checked_file.hpp"
+#include "../scalar/half.hpp"
 #include "coefficient_grid.hpp"
 
 namespace zonal {

@@ -20,7 +20,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "../environment/half.hpp"
+#include "../scalar/half.hpp"
 #include "coefficient_grid.hpp"
 
 namespace zonal {

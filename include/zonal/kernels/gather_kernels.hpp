@@ -8,6 +8,9 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
+#include <string_view>
+#include <type_traits>
 
 #include "../gather/hvl.hpp"
 #include "kernel_io.hpp"
@@ -53,18 +56,40 @@ struct HorizonOf : Kernel {
   }
 };
 
-template <int NE, Horizon method = Horizon::smoothstep>
+/// Words, one after the other.
+struct JoinedName {
+  char text[64] = {};
+  constexpr JoinedName(std::initializer_list<std::string_view> words) {
+    std::size_t size = 0;
+    for (const std::string_view word : words) {
+      for (const char c : word) text[size++] = c;
+    }
+  }
+};
+
+/// What a name says of the virtual lights' kernel: what is about the normal, what has one band, which horizon it has.
+constexpr JoinedName hvl_name(std::string_view first, int emission_bands, Horizon method, Symmetry symmetry) {
+  return {first, symmetry == Symmetry::zonal ? "_zonal" : "", emission_bands == 1 ? "_diffuse" : "",
+          method == Horizon::exact  ? "_exact"
+          : method == Horizon::none ? "_no_horizon"
+                                    : ""};
+}
+
+/// Of a receiver whose material is even in phi, or the same all about the normal.
+template <int NE, Horizon method = Horizon::smoothstep, Symmetry symmetry = Symmetry::mirror>
 struct HvlRadiance : Kernel {
-  static constexpr const char* name = method == Horizon::exact  ? "hvl_radiance_exact"
-                                      : method == Horizon::none ? "hvl_radiance_no_horizon"
-                                      : NE == 1                 ? "hvl_radiance_diffuse"
-                                                                : "hvl_radiance";
+  static_assert(NE == 1 || NE == 3, "the names know two numbers of bands");
+  static constexpr JoinedName joined_name = hvl_name("hvl_radiance", NE, method, symmetry);
+  static constexpr const char* name = joined_name.text;
   static constexpr int emission_bands = NE;
   static constexpr Horizon horizon = method;
   static constexpr const char* summary =
-      NE == 1 ? "The outgoing radiance that a diffuse virtual light causes: one band of emission."
-              : "The outgoing radiance that a virtual light causes: three bands of emission.";
-  static constexpr int order_count(int bands) { return bands; }
+      symmetry == Symmetry::zonal
+          ? (NE == 1 ? "The same of a diffuse one, to a receiver whose material is the same about the normal."
+                     : "The same to a receiver whose material is the same about the normal: N coefficients.")
+      : NE == 1 ? "The outgoing radiance that a diffuse virtual light causes: one band of emission."
+                : "The outgoing radiance that a virtual light causes: three bands of emission.";
+  static constexpr int order_count(int bands) { return symmetry == Symmetry::zonal ? 0 : bands; }
   template <int N, class Io>
   static void run(Io& io) {
     using T = typename Io::Scalar;
@@ -81,16 +106,21 @@ struct HvlRadiance : Kernel {
     ReceiverFrame<T> receiver;
     detail::take(io, "position", Domain::position, receiver.position);
     detail::take(io, "normal", Domain::unit_vector, receiver.normal);
-    detail::take(io, "tangent", Domain::unit_vector, receiver.tangent);
+    if constexpr (symmetry == Symmetry::zonal) {  // nobody asks
+      for (T& component : receiver.tangent) component = T(0);
+    } else {
+      detail::take(io, "tangent", Domain::unit_vector, receiver.tangent);
+    }
 
-    constexpr int material_size = even_index(N, 0);
-    const auto coefficients = io.template triples<material_size>("material", Domain::coefficient);
-    EvenSh<N, glm::vec<3, T>> material;
+    const auto coefficients = io.template triples<coefficient_count(symmetry, N)>("material", Domain::coefficient);
+    using Colour = glm::vec<3, T>;
+    std::conditional_t<symmetry == Symmetry::zonal, Zh<N, Colour>, EvenSh<N, Colour>> material;
     for (int l = 0; l < N; ++l) {
-      for (int m = 0; m <= l; ++m) {
+      for (int m = 0; m <= l && has_order(symmetry, m); ++m) {
+        const int i = coefficient_index(symmetry, l, m);
         for (int c = 0; c < 3; ++c) {
-          const T coefficient = coefficients[static_cast<std::size_t>(3 * even_index(l, m) + c)];
-          material(l, m)[c] = io.keeps(m) ? coefficient : T(0);
+          const T coefficient = coefficients[static_cast<std::size_t>(3 * i + c)];
+          material.values[i][c] = io.keeps(m) ? coefficient : T(0);
         }
       }
     }

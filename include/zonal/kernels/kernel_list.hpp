@@ -22,33 +22,42 @@ namespace zonal {
 inline namespace ZONAL_TARGET {
 namespace kernels {
 
-using BasisKernels = KernelList<Evaluate, EvaluateEven, EvaluateZonal, EvaluateWithGradient,             // basis
-                                Cap, HemisphereCap, SphereCap, CapDerivative, Lambert, Phong, Gaussian,  // lobes
-                                Orient, RotateAboutZ, PrepareRotation, Rotate, Reconstruct, ReconstructEven,
-                                ReconstructZonal, ReconstructLambert,  // transforms
-                                ReconstructConvolved, Convolve, ConvolveZonal, Dot, DotEven, DotZonal, Product,
-                                ProductZonal, TripleProduct, WindowFactors<Window::hann>, WindowFactors<Window::sinc>,
-                                ApplyWindow<Window::hann>, ApplyWindow<Window::sinc>>;
+using BasisKernels =
+    KernelList<Evaluate, EvaluateEven, EvaluateZonal, EvaluateWithGradient,             // basis
+               Cap, HemisphereCap, SphereCap, CapDerivative, Lambert, Phong, Gaussian,  // lobes
+               Orient, RotateAboutZ, PrepareRotation, Rotate, Reconstruct, ReconstructEven, ReconstructZonal,
+               ReconstructLambert,  // transforms
+               ReconstructAlong, Splat, ReconstructWithAdjoint<ColourRule::plain>,
+               ReconstructWithAdjoint<ColourRule::splat>, ReconstructConvolved, Convolve, ConvolveZonal, Dot, DotEven,
+               DotZonal, Product, ProductZonal, TripleProduct, WindowFactors<Window::hann>, WindowFactors<Window::sinc>,
+               ApplyWindow<Window::hann>, ApplyWindow<Window::sinc>>;
 // They run kernels of BasisKernels, and cost next to nothing to compile beside them.
-using ColourKernels = KernelList<
-    OfColours<Orient>, OfColours<RotateAboutZ>, OfColours<Rotate>, OfColours<Reconstruct>, OfColours<ReconstructEven>,
-    OfColours<ReconstructZonal>, OfColours<ReconstructLambert>, OfColours<ReconstructConvolved>, OfColours<Convolve>,
-    OfColours<Convolve, Colours::all>, OfColours<ConvolveZonal>, OfColours<ConvolveZonal, Colours::all>, OfColours<Dot>,
-    OfColours<Dot, Colours::all>, OfColours<DotEven>, OfColours<DotEven, Colours::all>, OfColours<DotZonal>,
-    OfColours<DotZonal, Colours::all>, OfColours<Product>, OfColours<Product, Colours::all>, OfColours<ProductZonal>,
-    OfColours<TripleProduct>, OfColours<ApplyWindow<Window::hann>>, OfColours<ApplyWindow<Window::sinc>>>;
-using SceneKernels = KernelList<Sphere, SphereWithGradient,                             // lights
-                                CellPosition, CellWeightsOf<Interpolation::trilinear>,  // grid
-                                CellWeightsOf<Interpolation::hermite>, VisibilityPlace, SeenShare,
-                                VisibleWeightsOf<Interpolation::trilinear>, VisibleWeightsOf<Interpolation::hermite>,
-                                ClearSums, AddSphere, FinishSums,  //
-                                MaterialRow, MaterialBetweenRows,  // materials
-                                TangentTowards, HorizonOf<Horizon::smoothstep>, HorizonOf<Horizon::exact>,
-                                HvlRadiance<1>, HvlRadiance<3>,  // virtual lights
-                                IsSameSurface>;                  // screen
-// They are no shader functions: of fixed lights, and for tests.
-using UnwrittenKernels = KernelList<Arcs, SpotWithGradient, TriangleSphereWithGradient, PolygonWithGradient,
-                                    HvlRadiance<3, Horizon::exact>, HvlRadiance<3, Horizon::none>>;
+using ColourKernels =
+    KernelList<OfColours<Orient>, OfColours<RotateAboutZ>, OfColours<Rotate>, OfColours<Reconstruct>,
+               OfColours<ReconstructEven>, OfColours<ReconstructZonal>, OfColours<ReconstructLambert>,
+               OfColours<ReconstructConvolved>, OfColours<ReconstructAlong>, OfColours<Splat>, OfColours<Convolve>,
+               OfColours<Convolve, Colours::all>, OfColours<ConvolveZonal>, OfColours<ConvolveZonal, Colours::all>,
+               OfColours<Dot>, OfColours<Dot, Colours::all>, OfColours<DotEven>, OfColours<DotEven, Colours::all>,
+               OfColours<DotZonal>, OfColours<DotZonal, Colours::all>, OfColours<Product>,
+               OfColours<Product, Colours::all>, OfColours<ProductZonal>, OfColours<TripleProduct>,
+               OfColours<ApplyWindow<Window::hann>>, OfColours<ApplyWindow<Window::sinc>>>;
+using SceneKernels =
+    KernelList<Sphere, SphereWithGradient,                             // lights
+               CellPosition, CellWeightsOf<Interpolation::trilinear>,  // grid
+               CellWeightsOf<Interpolation::hermite>, VisibilityPlace, SeenShare,
+               VisibleWeightsOf<Interpolation::trilinear>, VisibleWeightsOf<Interpolation::hermite>, ClearSums,
+               AddSphere, FinishSums,             //
+               MaterialRow, MaterialBetweenRows,  // materials
+               TangentTowards, HorizonOf<Horizon::smoothstep>, HorizonOf<Horizon::exact>, HvlRadiance<1>,
+               HvlRadiance<3>,  // virtual lights
+               HvlRadiance<1, Horizon::exact>, HvlRadiance<3, Horizon::exact>, HvlRadiance<1, Horizon::none>,
+               HvlRadiance<3, Horizon::none>, HvlRadiance<1, Horizon::smoothstep, Symmetry::zonal>,
+               HvlRadiance<3, Horizon::smoothstep, Symmetry::zonal>, HvlRadiance<1, Horizon::exact, Symmetry::zonal>,
+               HvlRadiance<3, Horizon::exact, Symmetry::zonal>, HvlRadiance<1, Horizon::none, Symmetry::zonal>,
+               HvlRadiance<3, Horizon::none, Symmetry::zonal>,  //
+               IsSameSurface>;                                  // screen
+// They are no shader functions: of fixed lights.
+using UnwrittenKernels = KernelList<Arcs, SpotWithGradient, TriangleSphereWithGradient, PolygonWithGradient>;
 
 }  // namespace kernels
 }  // namespace ZONAL_TARGET

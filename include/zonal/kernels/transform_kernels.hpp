@@ -12,6 +12,7 @@
 #include "../transform/dot.hpp"
 #include "../transform/orient.hpp"
 #include "../transform/product.hpp"
+#include "../transform/reconstruct_adjoint.hpp"
 #include "../transform/rotate.hpp"
 #include "../transform/window.hpp"
 #include "kernel_io.hpp"
@@ -149,6 +150,59 @@ struct ReconstructZonal : Kernel {
     const auto zh = detail::take_zonal<N>(io, "zh");
     const auto cos_angle = io.number("cos_angle", Domain::cosine);
     io.output("value", 0)[0] = reconstruct_zonal(zh, cos_angle);
+  }
+};
+
+struct ReconstructAlong : Kernel {
+  static constexpr const char* name = "reconstruct_along";
+  static constexpr const char* summary = "A function's value in a direction of any length but 0.";
+  template <int N, class Io>
+  static void run(Io& io) {
+    const auto sh = detail::take_sh<N>(io, "sh");
+    const auto direction = io.vector("direction", Domain::position);
+    io.output("value", 0)[0] = reconstruct_along(sh, direction);
+  }
+};
+
+struct Splat : Kernel {
+  static constexpr const char* name = "splat";
+  static constexpr const char* summary =
+      "A splat's colour as a camera sees it: the value, and half more, and at least 0 [Kerbl et al. 2023].";
+  template <int N, class Io>
+  static void run(Io& io) {
+    using T = typename Io::Scalar;
+    const auto sh = detail::take_sh<N>(io, "sh");
+    const auto position = io.vector("position", Domain::light_position);
+    const auto camera = io.vector("camera", Domain::position);
+    const std::array<T, 3> direction{position[0] - camera[0], position[1] - camera[1], position[2] - camera[2]};
+    io.output("value", 0)[0] = reconstruct_along<ColourRule::splat>(sh, direction);
+  }
+};
+
+/// Value and derivatives of a colour in one. The reverse sweep of the record of `reconstruct_along_colour` gives the
+/// same numbers, up to rounding.
+template <ColourRule rule>
+struct ReconstructWithAdjoint : Kernel {
+  static constexpr const char* name = rule == ColourRule::splat ? "splat_with_adjoint" : "reconstruct_with_adjoint";
+  static constexpr const char* summary =
+      rule == ColourRule::splat
+          ? "A splat's colour in the direction from the camera, and a loss's derivatives, given those by the colour."
+          : "A colour in a direction of any length but 0, and a loss's derivatives, given those by the colour.";
+  template <int N, class Io>
+  static void run(Io& io) {
+    using T = typename Io::Scalar;
+    const auto sh = io.template triples<N * N>("sh", Domain::coefficient);
+    const auto direction = io.vector("direction", Domain::position);
+    const auto by_value = io.vector("by_value", Domain::coefficient);
+    const auto value = io.output_triples("value", 0), by_sh = io.output_triples("by_sh", N * N),
+               by_direction = io.output_triples("by_direction", 0);
+    T colour[3], slope[3];
+    zonal::detail::reconstruct_with_adjoint<N, rule, 3, T>(
+        {direction[0], direction[1], direction[2]}, [&](auto i, auto c) { return sh[std::size_t{3 * i + c}]; },
+        {by_value[0], by_value[1], by_value[2]}, colour, slope,
+        [&](auto i, auto c, const T& derivative) { by_sh[i][c] = derivative; });
+    value.set(0, colour[0], colour[1], colour[2]);
+    by_direction.set(0, slope[0], slope[1], slope[2]);
   }
 };
 

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
+#include <limits>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -220,24 +221,28 @@ class PlannedTable {
     }
   }
 
-  /// The greatest error of the rows with what the plan keeps.
-  PlanError error_of(const CoefficientPlan& plan) const {
+  /// The greatest error of the rows where lost(l, m, energy) of a coefficient's energy are lost.
+  template <class Lost>
+  PlanError error_by(const Lost& lost) const {
     PlanError error;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      RowEnergies::Degrees left_out{};
-      for_each_energy(table_.symmetry, bands_, table_.rows[i], [&](int l, int m, double energy) {
-        if (!plan.keeps(l, m)) left_out[std::size_t(l)] += energy;
-      });
+      RowEnergies::Degrees sums{};
+      for_each_energy(table_.symmetry, bands_, table_.rows[i],
+                      [&](int l, int m, double energy) { sums[std::size_t(l)] += lost(l, m, energy); });
       const auto by = [&](Measure measure) {
         const ErrorSum errors(measure, caps_);
         double sum = 0;
-        for (int l = 0; l < bands_; ++l) sum += errors.of_degree(l, left_out[std::size_t(l)]);
+        for (int l = 0; l < bands_; ++l) sum += errors.of_degree(l, sums[std::size_t(l)]);
         return errors.error(sum, rows_[i].whole);
       };
       error.mean = (std::max)(error.mean, by(Measure::mean));
       error.worst = (std::max)(error.worst, by(Measure::worst));
     }
     return error;
+  }
+  /// With what the plan keeps.
+  PlanError error_of(const CoefficientPlan& plan) const {
+    return error_by([&](int l, int m, double energy) { return plan.keeps(l, m) ? 0 : energy; });
   }
 
  private:
@@ -307,6 +312,17 @@ inline CoefficientPlan plan_emission(const MaterialTable& table, CoefficientRequ
   request.caps = {};
   return detail::plan_coefficients(detail::rows_of(table, table.without_cosine_rows(), cosines), {Symmetry::mirror},
                                    request);
+}
+
+/// The error, at most, of holding what the plan keeps of F as half floats (kept_table.hpp): of each coefficient 2^-11
+/// of it, and 2^-25 of a channel for those below 2^-14. Infinite beyond the greatest half float. It adds to the plan's.
+inline PlanError half_error(const MaterialTable& table, const CoefficientPlan& receiving, const CapClass& caps = {}) {
+  const detail::PlannedRows rows = detail::rows_of(table, table.with_cosine_rows(), {});
+  return detail::PlannedTable(rows, {table.bands(), 0, Measure::mean, caps}).error_by([&](int l, int m, double energy) {
+    if (!receiving.keeps(l, m)) return 0.0;
+    const double magnitude = std::sqrt(energy), step = 0x1p-11 * magnitude + 0x1p-25 * std::sqrt(3.0);
+    return magnitude > 65504 ? std::numeric_limits<double>::infinity() : energy > 0 ? step * step : 0.0;
+  });
 }
 
 /// The same of anisotropic materials, by the outgoing directions given, for their tables have many rows: unit vectors

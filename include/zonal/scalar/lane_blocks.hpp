@@ -132,20 +132,46 @@ ZONAL_INLINE inline void load_triples(const float* triples, Lanes<float, width> 
   v[2] = L::template shuffle<TwoAndTwo<width, 1, 3, 0, 3>>(yz, c);
 }
 
+// Chunks to places `stride` numbers apart.
+template <class T, int width>
+ZONAL_INLINE inline void store_chunks(const Lanes<T, width>& lanes, T* target, std::size_t stride) {
+  constexpr int chunk = chunk_v<T>;
+  T numbers[static_cast<std::size_t>(width)];
+  lanes.store(numbers);
+  for (int i = 0; i < width / chunk; ++i) {
+    Lanes<T, chunk>::load(numbers + i * chunk).store(target + std::size_t(i) * stride);
+  }
+}
+// load_triples the other way.
+template <int width>
+ZONAL_INLINE inline void store_triples(const Lanes<float, width> (&v)[3], float* triples) {
+  using L = Lanes<float, width>;
+  using Even = TwoAndTwo<width, 0, 2, 0, 2>;
+  const L x0_x1_y0_y1 = L::template shuffle<TwoAndTwo<width, 0, 1, 0, 1>>(v[0], v[1]);
+  const L z0_z1_x1_x3 = L::template shuffle<TwoAndTwo<width, 0, 1, 1, 3>>(v[2], v[0]);
+  const L y1_y3_z1_z2 = L::template shuffle<TwoAndTwo<width, 1, 3, 1, 2>>(v[1], v[2]);
+  const L x2_x3_y2_y3 = L::template shuffle<TwoAndTwo<width, 2, 3, 2, 3>>(v[0], v[1]);
+  const L z2_z3_x3_x3 = L::template shuffle<TwoAndTwo<width, 2, 3, 3, 3>>(v[2], v[0]);
+  const L y3_y3_z3_z3 = L::template shuffle<TwoAndTwo<width, 3, 3, 3, 3>>(v[1], v[2]);
+  store_chunks(L::template shuffle<Even>(x0_x1_y0_y1, z0_z1_x1_x3), triples, 12);
+  store_chunks(L::template shuffle<Even>(y1_y3_z1_z2, x2_x3_y2_y3), triples + 4, 12);
+  store_chunks(L::template shuffle<Even>(z2_z3_x3_x3, y3_y3_z3_z3), triples + 8, 12);
+}
+
 // The widest registers, up to `width` numbers, that `Size` numbers fill.
 template <int Size>
 constexpr int widest_within(int width) {
   return width <= Size ? width : widest_within<Size>(width / 2);
 }
 
-// `Size` columns of `width` numbers to `width` rows of `Size` numbers. The last registers of a row overlap those
-// before.
-template <int Size, int width, class T>
+// `Size` columns of `width` numbers to `width` rows of `Size` numbers, in registers of w. The last registers of a row
+// overlap those before.
+template <int Size, int width, class T, int w = widest_within<Size>(native_lanes_v<T>)>
 ZONAL_INLINE inline void transpose(const T* columns, T* rows) {
-  constexpr int w = widest_within<Size>(width), chunk = chunk_v<T>;
-  if constexpr (Size == 1) {
-    Lanes<T, width>::load(columns).store(rows);
-  } else if constexpr (w < chunk) {
+  constexpr int chunk = chunk_v<T>, native = native_lanes_v<T>;
+  if constexpr (Size == 1 && width == native) {
+    Lanes<T, native>::load(columns).store(rows);
+  } else if constexpr (w < chunk || width % chunk != 0) {
     for (int lane = 0; lane < width; ++lane) {
       for (int i = 0; i < Size; ++i) rows[lane * Size + i] = columns[i * width + lane];
     }

@@ -98,6 +98,12 @@ class Recording {
 
   const std::vector<Line>& lines() const { return lines_; }
 
+  /// What a line gives; of a constant, the constant.
+  Recorder result_of(int line) {
+    const Line& of_line = lines_[static_cast<std::size_t>(line)];
+    return of_line.operation == Operation::constant ? Recorder(of_line.constant) : Recorder(this, line);
+  }
+
   /// Whether each line is needed by the outputs [first, last).
   template <class Iterator>
   std::vector<bool> needed(Iterator first, Iterator last) const {

@@ -44,6 +44,17 @@ ZONAL_INLINE constexpr T dot3(const T (&a)[3], const T (&b)[3]) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+// A vector of any length but 0 as a unit vector, and the reciprocal of its length.
+template <class T>
+struct UnitVector3 {
+  T x, y, z, inverse_length;
+
+  ZONAL_INLINE constexpr UnitVector3(const T& vx, const T& vy, const T& vz)
+      : x(vx), y(vy), z(vz), inverse_length(T(1) / sqrt(T(vx * vx + vy * vy + vz * vz))) {
+    x = x * inverse_length, y = y * inverse_length, z = z * inverse_length;
+  }
+};
+
 template <class T>
 ZONAL_INLINE constexpr void cross3(const T (&a)[3], const T (&b)[3], T (&result)[3]) {
   for (int i = 0; i < 3; ++i) result[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];

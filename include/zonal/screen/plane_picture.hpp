@@ -18,7 +18,7 @@
 #include <glm/vec3.hpp>
 
 #include "../basis/sh.hpp"
-#include "../environment/half.hpp"
+#include "../scalar/half.hpp"
 #include "../scalar/refuse.hpp"
 
 namespace zonal {

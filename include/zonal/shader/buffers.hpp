@@ -10,6 +10,7 @@
 //   of                 floats                                      read by (shells.hpp)
 //   HvlCache           ZONAL_LIGHT(i), light after light           gather; of one band gather_diffuse
 //   MaterialTable      ZONAL_MATERIAL(i), two numbers, F, F'       material_with_cosine, material_without_cosine
+//   KeptTable          the same, two numbers, F of what is kept    what zonal-glsl --plan writes
 //   CoefficientGrid    ZONAL_GRID(i), vertex after vertex          interpolate_trilinear, interpolate_hermite
 //   GridVisibility     ZONAL_VISIBILITY(i), vertex after vertex    interpolate_visible_trilinear, .._hermite
 //   SurfacePicture     ZONAL_SURFACE(i), row after row             filter_across, filter_down
@@ -18,12 +19,16 @@
 // They need neither zonal-glsl nor a recorder: this header is for the program that draws.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "../gather/hvl.hpp"
 #include "../grid/coefficient_grid.hpp"
 #include "../grid/visibility.hpp"
 #include "../material/material_table.hpp"
+#include "../plan/kept_table.hpp"
+#include "../scalar/half.hpp"
 #include "../scalar/refuse.hpp"
 #include "../screen/plane_picture.hpp"
 
@@ -66,6 +71,28 @@ inline std::vector<float> shader_buffer(const MaterialTable& table) {
       floats.insert(floats.end(), {coefficient.r, coefficient.g, coefficient.b});
   }
   return floats;
+}
+
+/// What receivers read of a material by a plan, 2 + 3 rows row_size floats:
+///
+///   0    rows
+///   1    row_size: coefficients that are kept
+///   2    F: row after row, of each row those that are kept, degree by degree, RGB innermost
+inline std::vector<float> shader_buffer(const KeptTable& table) {
+  std::vector<float> floats = table.rows();
+  floats.insert(floats.begin(), {float(table.angles()), float(table.row_size())});
+  return floats;
+}
+
+/// Floats as half floats, two to an unsigned integer, the first in its low bits: as unpackHalf2x16 has them. Errors are
+/// at most 2^-11 of a number, or 2^-25; materials' numbers of rows and coefficients are exact. Numbers beyond 65519 are
+/// infinite.
+inline std::vector<std::uint32_t> packed_halves(const std::vector<float>& floats) {
+  std::vector<std::uint32_t> pairs((floats.size() + 1) / 2, 0);
+  for (std::size_t i = 0; i < floats.size(); ++i) {
+    pairs[i / 2] |= std::uint32_t{to_half(floats[i]).bits} << (16 * (i % 2));
+  }
+  return pairs;
 }
 
 /// The grid: vertex after vertex, x fastest, then y; per vertex four blocks, value and derivatives by x, y and z, or

@@ -25,14 +25,14 @@ struct FunctionEntry {
   bool has_bands;
   int most_bands;
   int (*order_count)(int bands);
-  RecordedFunction (*record)(int bands, int order);
+  RecordedFunction (*record)(int bands, const Part& part);
 };
 
 namespace detail {
 template <class Entry, int... I>
-RecordedFunction record_bands(int bands, int order, std::integer_sequence<int, I...>) {
-  static constexpr RecordedFunction (*of[])(int) = {shader::record<Entry, 1 + I>...};
-  return of[bands - 1](order);
+RecordedFunction record_bands(int bands, const Part& part, std::integer_sequence<int, I...>) {
+  static constexpr RecordedFunction (*of[])(const Part&) = {shader::record<Entry, 1 + I>...};
+  return of[bands - 1](part);
 }
 }  // namespace detail
 
@@ -40,10 +40,10 @@ RecordedFunction record_bands(int bands, int order, std::integer_sequence<int, I
 template <class Entry>
 inline constexpr int most_bands_of = (std::min)(Entry::most_bands, max_bands);
 template <class Entry>
-RecordedFunction record_bands(int bands, int order) {
-  if constexpr (!Entry::has_bands) return record<Entry, 1>(order);
+RecordedFunction record_bands(int bands, const Part& part) {
+  if constexpr (!Entry::has_bands) return record<Entry, 1>(part);
   if (bands < 1 || bands > most_bands_of<Entry>) return {};
-  return detail::record_bands<Entry>(bands, order, std::make_integer_sequence<int, most_bands_of<Entry>>{});
+  return detail::record_bands<Entry>(bands, part, std::make_integer_sequence<int, most_bands_of<Entry>>{});
 }
 
 /// Appends a list of entries, in its order.

@@ -26,8 +26,8 @@ namespace shader {
 
 /// A recorded function that a shell calls.
 struct ShellNeed {
-  std::string_view function;
-  int order = all_orders;
+  std::string function;
+  Part part = {};
 };
 
 struct Shell {
@@ -69,15 +69,31 @@ template <class Entry>
 std::vector<ShellNeed> with_orders(int bands, bool is_reversed) {
   if (!is_reversed) return {{Entry::name}};
   std::vector<ShellNeed> needs;
-  for (int m = 0; m < Entry::order_count(bands); ++m) needs.push_back({Entry::name, m});
+  for (int m = 0; m < Entry::order_count(bands); ++m) needs.push_back({Entry::name, Part(m)});
   return needs;
 }
 
 // ---- The gather of virtual lights -----------------------------------------------------------------------------------
 
-template <int NE>
-std::string load_light() {
-  constexpr int size = HvlRecord<NE, float>::emission_size;
+/// A loop over lights around the kernel of the virtual lights: which one; of a receiver's coefficients all, or those
+/// kept; and whether order by order.
+struct GatherLoop {
+  int emission_bands;
+  Horizon horizon;
+  Symmetry symmetry;
+  bool is_reversed = false;
+  std::vector<bool> kept = {};  // by coefficient_index
+
+  std::string name_of(std::string_view first) const {
+    return kernels::hvl_name(first, emission_bands, horizon, symmetry).text;
+  }
+  std::string kernel() const { return name_of("hvl_radiance"); }
+  std::string name() const { return name_of("gather") + (is_reversed ? "_reversed" : ""); }
+  Part part() const { return kept.empty() ? Part() : Part("material", kept); }
+  int material_size(int bands) const { return kept.empty() ? coefficient_count(symmetry, bands) : part().kept_count(); }
+};
+
+inline std::string load_light(int size) {
   std::string emission;
   for (int i = 0; i < size; ++i) {
     emission += "  hvl.emission[" + std::to_string(i) + "] = vec3(";
@@ -89,8 +105,7 @@ std::string load_light() {
   return emission;
 }
 
-template <int NE, bool is_reversed>
-std::string gather_text(int bands) {
+inline std::string gather_text(const GatherLoop& gather, int bands) {
   const std::string text = R"(// A virtual light: $FIELDS floats, in the order of HvlRecord::members.
 #ifndef $GUARDHVL_$NE
 #define $GUARDHVL_$NE
@@ -111,9 +126,8 @@ zonal_Hvl_$NE zonal_load_hvl_$NE($uint i) {
 $EMISSION  return hvl;
 }
 #endif
-// The outgoing radiance that all virtual lights cause; see gather (zonal/gather/hvl.hpp). `material` is F of m >= 0 at the
-// outgoing direction, which lies in the plane of normal and tangent.
-$vec3 zonal_$NAME_$N($uint light_count, $vec3 position, $vec3 normal, $vec3 tangent, in $vec3 material[$MATERIAL]) {
+// The outgoing radiance that all virtual lights cause; see gather (zonal/gather/hvl.hpp). $WHICH
+$vec3 zonal_$NAME($uint light_count, $vec3 position, $vec3 normal, $TANGENTin $vec3 material[$MATERIAL]) {
   $precise $vec3 sum = vec3(0.0f);
 $LOOPS  return max(sum, vec3(0.0f));
 }
@@ -121,32 +135,45 @@ $LOOPS  return max(sum, vec3(0.0f));
   const std::string loop = R"(  for ($uint i = 0u; i < light_count; ++i) {
     zonal_Hvl_$NE hvl = zonal_load_hvl_$NE(i);
     sum += zonal_$RADIANCE_$N$SUFFIX(hvl.position, hvl.normal, hvl.tangent, hvl.radius, hvl.emission,
-                                     position, normal, tangent, material);
+                                     position, normal, $OFmaterial);
   }
 )";
-  const std::string name = std::string("gather") + (NE == 1 ? "_diffuse" : "") + (is_reversed ? "_reversed" : "");
-  return substitute(text, {{"$LOOPS", light_loops(loop, order_suffixes<kernels::HvlRadiance<NE>>(bands, is_reversed))},
-                           {"$RADIANCE", kernels::HvlRadiance<NE>::name},
-                           {"$FIELDS", std::to_string(field_count<HvlRecord<NE, float>>)},
-                           {"$SIZE", std::to_string(HvlRecord<NE, float>::emission_size)},
-                           {"$EMISSION", load_light<NE>()},
-                           {"$MATERIAL", std::to_string(even_index(bands, 0))},
-                           {"$NAME", name},
-                           {"$NE", std::to_string(NE)},
-                           {"$N", std::to_string(bands)}});
+  const bool is_zonal = gather.symmetry == Symmetry::zonal;
+  const int emission_size = EvenEmission::size(gather.emission_bands);
+  const std::string suffix = gather.part().suffix();
+  return substitute(
+      text, {{"$LOOPS", light_loops(loop, gather.is_reversed ? order_suffixes<kernels::HvlRadiance<3>>(bands, true)
+                                                             : std::vector<std::string>{suffix})},
+             {"$WHICH",
+              is_zonal ? "`material` is F of m = 0."
+                       : "`material` is F of m >= 0 at the\n// outgoing direction, which lies in the plane of normal "
+                         "and tangent."},
+             {"$TANGENT", is_zonal ? "" : "$vec3 tangent, "},
+             {"$OF", is_zonal ? "" : "tangent, "},
+             {"$RADIANCE", gather.kernel()},
+             {"$FIELDS", std::to_string(10 + 3 * emission_size)},
+             {"$SIZE", std::to_string(emission_size)},
+             {"$EMISSION", load_light(emission_size)},
+             {"$MATERIAL", std::to_string(gather.material_size(bands))},
+             {"$NAME", gather.name() + "_$N" + suffix},
+             {"$NE", std::to_string(gather.emission_bands)},
+             {"$N", std::to_string(bands)}});
 }
-template <int NE, bool is_reversed>
-std::vector<ShellNeed> gather_needs(int bands) {
-  return with_orders<kernels::HvlRadiance<NE>>(bands, is_reversed);
+inline std::vector<ShellNeed> gather_needs(const GatherLoop& gather, int bands) {
+  if (!gather.is_reversed) return {{gather.kernel(), gather.part()}};
+  std::vector<ShellNeed> needs;
+  for (int m = 0; m < bands; ++m) needs.push_back({gather.kernel(), m});
+  return needs;
 }
 
 // ---- Materials ------------------------------------------------------------------------------------------------------
 
-template <bool has_cosine>
-std::string material_text(int bands) {
-  const std::string text = R"(// $F of m >= 0 at the outgoing direction of this cosine; see MaterialTable::$NAME
+/// How a table is read: what it is called, what it gives, where its rows begin and where a coefficient stands in one.
+inline std::string read_material_text(const std::string& name, const std::string& what, const std::string& skip,
+                                      const std::string& place, int count) {
+  const std::string text = R"(// $WHAT
 // (zonal/material/material_table.hpp). `table` is the number of its first float.
-void zonal_material_$NAME_$N($uint table, $float cos_outgoing, $precise out $vec3 coefficients[$COUNT]) {
+void zonal_$NAME($uint table, $float cos_outgoing, $precise out $vec3 coefficients[$COUNT]) {
   $uint rows = uint(ZONAL_MATERIAL(table));
   $uint row_size = uint(ZONAL_MATERIAL(table + 1u));
   $precise $float row = zonal_material_row(cos_outgoing, float(rows));
@@ -156,9 +183,9 @@ void zonal_material_$NAME_$N($uint table, $float cos_outgoing, $precise out $vec
   $uint first = table + 2u$SKIP;
   for ($int i = 0; i < $COUNT; ++i) {
     coefficients[i] = vec3(0.0f);
-    if (uint(i) < row_size) {
-      $uint a = first + 3u * (below * row_size + uint(i));
-      $uint b = first + 3u * (above * row_size + uint(i));
+    if ($PLACE < row_size) {
+      $uint a = first + 3u * (below * row_size + $PLACE);
+      $uint b = first + 3u * (above * row_size + $PLACE);
       coefficients[i] = zonal_material_between_rows(
           vec3(ZONAL_MATERIAL(a), ZONAL_MATERIAL(a + 1u), ZONAL_MATERIAL(a + 2u)),
           vec3(ZONAL_MATERIAL(b), ZONAL_MATERIAL(b + 1u), ZONAL_MATERIAL(b + 2u)), t);
@@ -166,12 +193,23 @@ void zonal_material_$NAME_$N($uint table, $float cos_outgoing, $precise out $vec
   }
 }
 )";
-  return substitute(text,
-                    {{"$NAME", has_cosine ? "with_cosine" : "without_cosine"},
-                     {"$F", has_cosine ? "F, the material with the cosine," : "F', the material without the cosine,"},
-                     {"$SKIP", has_cosine ? "" : " + 3u * rows * row_size"},
-                     {"$COUNT", std::to_string(even_index(bands, 0))},
-                     {"$N", std::to_string(bands)}});
+  return substitute(
+      text, {{"$NAME", name}, {"$WHAT", what}, {"$SKIP", skip}, {"$PLACE", place}, {"$COUNT", std::to_string(count)}});
+}
+template <bool has_cosine>
+std::string material_text(int bands) {
+  const std::string name = has_cosine ? "with_cosine" : "without_cosine";
+  return read_material_text(
+      "material_" + name + "_" + std::to_string(bands),
+      (has_cosine ? "F, the material with the cosine," : "F', the material without the cosine,") +
+          std::string(" of m >= 0 at the outgoing direction of this cosine; see MaterialTable::") + name,
+      has_cosine ? "" : " + 3u * rows * row_size", "uint(i)", even_index(bands, 0));
+}
+inline std::string material_about_axis_text(int bands) {
+  return read_material_text(
+      "material_about_axis_" + std::to_string(bands),
+      "F, the material with the cosine, of m = 0 alone; see about_axis(MaterialTable::with_cosine)", "",
+      "uint(i * (i + 1) / 2)", bands);
 }
 inline std::vector<ShellNeed> material_needs(int) {
   return {{kernels::MaterialRow::name}, {kernels::MaterialBetweenRows::name}};
@@ -394,16 +432,47 @@ inline std::vector<ShellNeed> filter_needs(int) { return {{kernels::IsSameSurfac
 
 }  // namespace detail
 
+/// A gather as a shell: by its kernel, in one loop or in one for each order.
+template <int NE, Horizon horizon = Horizon::smoothstep, Symmetry symmetry = Symmetry::mirror>
+struct Gather {
+  static constexpr kernels::JoinedName name = kernels::hvl_name("gather", NE, horizon, symmetry);
+  template <bool is_reversed>
+  static detail::GatherLoop loop() {
+    return {NE, horizon, symmetry, is_reversed};
+  }
+  template <bool is_reversed = false>
+  static constexpr Shell shell(std::string_view the_name, std::string_view summary) {
+    return {the_name, summary, [](int bands) { return detail::gather_needs(loop<is_reversed>(), bands); },
+            [](int bands) { return detail::gather_text(loop<is_reversed>(), bands); }};
+  }
+  static constexpr Shell shell() {
+    return shell(name.text, symmetry == Symmetry::zonal ? (NE == 1 ? "Diffuse ones, at such a receiver."
+                                                                   : "At a receiver whose material is the same about "
+                                                                     "the normal.")
+                            : NE == 1                   ? "All virtual lights at a receiver, diffuse emission."
+                                                        : "All virtual lights at a receiver, 3 bands of emission.");
+  }
+};
+
 inline constexpr Shell shells[] = {
-    {"gather", "All virtual lights at a receiver, 3 bands of emission.", detail::gather_needs<3, false>,
-     detail::gather_text<3, false>},
-    {"gather_reversed", "The same, order by order.", detail::gather_needs<3, true>, detail::gather_text<3, true>},
-    {"gather_diffuse", "All virtual lights at a receiver, diffuse emission.", detail::gather_needs<1, false>,
-     detail::gather_text<1, false>},
-    {"gather_diffuse_reversed", "The same, order by order.", detail::gather_needs<1, true>,
-     detail::gather_text<1, true>},
+    Gather<3>::shell(),
+    Gather<3>::shell<true>("gather_reversed", "The same, order by order."),
+    Gather<1>::shell(),
+    Gather<1>::shell<true>("gather_diffuse_reversed", "The same, order by order."),
+    Gather<3, Horizon::exact>::shell(),
+    Gather<1, Horizon::exact>::shell(),
+    Gather<3, Horizon::none>::shell(),
+    Gather<1, Horizon::none>::shell(),
+    Gather<3, Horizon::smoothstep, Symmetry::zonal>::shell(),
+    Gather<1, Horizon::smoothstep, Symmetry::zonal>::shell(),
+    Gather<3, Horizon::exact, Symmetry::zonal>::shell(),
+    Gather<1, Horizon::exact, Symmetry::zonal>::shell(),
+    Gather<3, Horizon::none, Symmetry::zonal>::shell(),
+    Gather<1, Horizon::none, Symmetry::zonal>::shell(),
     {"material_with_cosine", "A material's F at an outgoing direction: what the gathers take.", detail::material_needs,
      detail::material_text<true>},
+    {"material_about_axis", "Its F of m = 0 alone: what the zonal gathers take.", detail::material_needs,
+     detail::material_about_axis_text},
     {"material_without_cosine", "Its F', what virtual lights are made of.", detail::material_needs,
      detail::material_text<false>},
     {"sum_lights", "All sphere lights at a vertex of a grid, with gradients.", detail::sum_lights_needs<false>,
@@ -430,17 +499,24 @@ inline std::string shell_name(const Shell& shell, int bands, const TextOptions& 
   return options.prefix + std::string(shell.name) + "_" + std::to_string(bands);
 }
 
-/// A shell in a dialect of GLSL. An integer needs its precision as well: by default it has 16 bits in a fragment
+namespace detail {
+/// What depends on a dialect of GLSL. An integer needs its precision as well: by default it has 16 bits in a fragment
 /// shader.
-inline std::string shell_text(const Shell& shell, int bands, const Dialect& dialect, const TextOptions& options = {}) {
-  std::vector<detail::Substitution> words;
+inline std::string in_dialect(std::string text, const Dialect& dialect, const TextOptions& options) {
+  std::vector<Substitution> words;
   for (const std::string type : {"float", "vec3", "uvec3", "uint", "int"}) {
     words.push_back({"$" + type, std::string(dialect.precision) + type});
   }
   words.push_back({"$precise ", options.precise ? std::string(dialect.precise) : ""});
   words.push_back({"$GUARD", upper_case(options.prefix)});
   words.push_back({"zonal_", options.prefix});
-  return detail::substitute(shell.text(bands), words);
+  return substitute(std::move(text), words);
+}
+}  // namespace detail
+
+/// A shell in a dialect of GLSL.
+inline std::string shell_text(const Shell& shell, int bands, const Dialect& dialect, const TextOptions& options = {}) {
+  return detail::in_dialect(shell.text(bands), dialect, options);
 }
 
 /// Its signature alone, without what ends it.

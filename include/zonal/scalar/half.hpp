@@ -1,17 +1,16 @@
-// Half floats, as pictures hold them: 16 bits, IEEE 754 binary16. Nothing but their bits and the way to floats and
-// back.
+// Half floats, as pictures hold them, and what is trained: 16 bits, IEEE 754 binary16. Nothing but their bits and the
+// way to floats and back. Many at once: half_lanes.hpp.
 #pragma once
 
 #include <cstdint>
 #include <cstring>
 
-#include "../scalar/target.hpp"
+#include "target.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
 
-/// One number of a picture of half floats: an array of std::uint16_t, of OpenEXR's or Imath's half, of _Float16 is one
-/// of these in memory.
+/// One number: an array of std::uint16_t, of OpenEXR's or Imath's half, of _Float16 is one of these in memory.
 struct Half {
   std::uint16_t bits;
 };

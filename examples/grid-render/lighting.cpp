@@ -1,5 +1,6 @@
 #include "band_list.hpp"
 #include "lighting_bands.hpp"
+#include "planned_lighting.hpp"
 #include "shared/input_error.hpp"
 
 namespace example::grid_render {
@@ -27,6 +28,14 @@ std::unique_ptr<Lighting> make_lighting(Shape shape, const SphereLights& lights,
   const TriangleLights triangles = triangles_of(lights, panel);
   if (shape == Shape::triangles) return make<TriangleBands>(triangles, bands);
   return make<TriangleBands>(triangle_spheres_of(triangles), bands);
+}
+
+std::unique_ptr<PlannedLighting> make_planned_lighting(const SphereLights& lights, int bands) {
+  std::unique_ptr<PlannedLighting> made;
+  AllBands::dispatch(bands, [&](auto n) {
+    if constexpr (is_built<n, Sphere>) made = std::make_unique<PlannedLightingOf<n>>(lights);
+  });
+  return built(std::move(made));
 }
 
 std::unique_ptr<LightGrid> load_light_grid(const std::filesystem::path& path, const Bounds& box, int bands) {

@@ -1,5 +1,7 @@
 #include "lighting_bands.hpp"
+#include "planned_lighting.hpp"
 
 template class example::grid_render::LightGridOf<7, zonal::GridContent::values>;
 template class example::grid_render::LightGridOf<7, zonal::GridContent::values_and_gradients>;
 template class example::grid_render::LightingOf<7, example::grid_render::Sphere>;
+template class example::grid_render::PlannedLightingOf<7>;

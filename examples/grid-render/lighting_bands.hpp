@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include <tbb/parallel_for.h>
 #include <zonal/grid/add_lights.hpp>
 #include <zonal/grid/add_polygons.hpp>
 #include <zonal/grid/grid_file.hpp>
@@ -22,18 +21,9 @@
 
 #include "light_packet.hpp"
 #include "lighting.hpp"
-#include "shared/interrupt.hpp"
+#include "parallel.hpp"
 
 namespace example::grid_render {
-
-/// body(0), ..., body(count - 1) on all threads; throws Interrupted soon after Ctrl-C.
-template <class Body>
-void for_each_in_parallel(int count, const Body& body) {
-  tbb::parallel_for(0, count, [&](int i) {
-    if (!stop_requested()) body(i);
-  });
-  throw_if_interrupted();
-}
 
 template <int N>
 glm::vec3 reflect(const zonal::Sh<N, glm::vec3>& radiance, const Hit& hit, const glm::vec3& outgoing,
@@ -87,26 +77,31 @@ void add_to_grid(Grid& grid, const Lights<zonal::PolygonLight<V, float>>& lights
                     [](int count, const auto& body) { for_each_in_parallel(count, body); });
 }
 
+/// Coefficients of lights in packets at a point.
+template <int N, class Light>
+zonal::Sh<N, glm::vec3> sum_of_lights(const std::vector<LightPacket<Light>>& packets, const glm::vec3& position) {
+  const Lanes receiver[3] = {Lanes(position.x), Lanes(position.y), Lanes(position.z)};
+  const Projection<N, Light> projection;
+  zonal::Sh<N, std::array<Lanes, 3>> sums;
+  for (auto& rgb : sums) rgb.fill(Lanes(0));
+  for (const LightPacket<Light>& packet : packets) {
+    projection(packet.light, receiver, [&](auto l, auto m, const Lanes& value) ZONAL_INLINE {
+      auto& rgb = sums[zonal::sh_index(l, m)];
+      for (std::size_t c = 0; c < 3; ++c) zonal::add_product(rgb[c], value, packet.colour[c]);
+    });
+  }
+  zonal::Sh<N, glm::vec3> sh;
+  for (int i = 0; i < N * N; ++i) sh[i] = {sums[i][0].sum(), sums[i][1].sum(), sums[i][2].sum()};
+  return sh;
+}
+
 /// All lights, as many at a time as a packet has lanes.
 template <int N, class Light>
 class ExactField final : public LightField {
  public:
   explicit ExactField(const Lights<Light>& lights) : packets_(packets_of(lights)) {}
 
-  zonal::Sh<N, glm::vec3> at(const glm::vec3& position) const {
-    const Lanes receiver[3] = {Lanes(position.x), Lanes(position.y), Lanes(position.z)};
-    zonal::Sh<N, std::array<Lanes, 3>> sums;
-    for (auto& rgb : sums) rgb.fill(Lanes(0));
-    for (const LightPacket<Light>& packet : packets_) {
-      projection_(packet.light, receiver, [&](auto l, auto m, const Lanes& value) ZONAL_INLINE {
-        auto& rgb = sums[zonal::sh_index(l, m)];
-        for (std::size_t c = 0; c < 3; ++c) zonal::add_product(rgb[c], value, packet.colour[c]);
-      });
-    }
-    zonal::Sh<N, glm::vec3> sh;
-    for (int i = 0; i < N * N; ++i) sh[i] = {sums[i][0].sum(), sums[i][1].sum(), sums[i][2].sum()};
-    return sh;
-  }
+  zonal::Sh<N, glm::vec3> at(const glm::vec3& position) const { return sum_of_lights<N>(packets_, position); }
 
   glm::vec3 reflected(const Hit& hit, const glm::vec3& outgoing, const Reflector& reflector) const override {
     return reflect(at(hit.position), hit, outgoing, reflector);
@@ -114,7 +109,6 @@ class ExactField final : public LightField {
 
  private:
   std::vector<LightPacket<Light>> packets_;
-  Projection<N, Light> projection_;
 };
 
 template <zonal::Interpolation method, class Grid>

@@ -40,15 +40,44 @@ double cost_of(const Pass& pass) {
   return pass.grid ? 1.0 : cost_of_light * static_cast<double>(pass.lights);
 }
 
+/// Pixels across of the small pictures by which a grid is planned, and its error measured.
+constexpr int planning_width = 64, measuring_width = 90;
+
+/// The light of the one pass, by a tolerance.
+std::shared_ptr<LightField> planned_field(const PlannedLighting& lighting, const SphereLights& lights,
+                                          const std::vector<Reflector>& reflectors, std::vector<SeenHit> hits,
+                                          Report& report) {
+  Pass& pass = report.passes.front();
+  GridPlan plan = report.times.time(stage_name::plan, [&] {
+    return plan_grid(lighting, lights, std::move(hits), reflectors, report.box, report.options);
+  });
+  PlannedField made = lighting.field(report.box, plan.choice);
+  plan.near_bytes = made.near_bytes;
+  pass.lights = lights.size();
+  pass.technique.method = std::nullopt, pass.grid = std::nullopt;
+  if (plan.choice.bands > 0) {
+    pass.technique.method = plan.choice.method;
+    pass.grid =
+        GridFacts{plan.choice.resolution, grid_bytes(plan.choice.bands, plan.choice.resolution, plan.choice.content()),
+                  made.fill_seconds};
+  }
+  report.plan = plan;
+  return std::move(made.field);
+}
+
 /// Fills the passes' pictures.
-void render(const Scene& scene, const RayCaster& caster, Fields& fields, Report& report) {
+void render(const Scene& scene, const RayCaster& caster, const SphereLights& lights, Fields& fields, Report& report) {
   const Options& options = report.options;
   const std::vector<Reflector> reflectors =
       report.times.time(stage_name::materials, [&] { return project_materials(scene.materials, options); });
+  const auto planned = options.is_planned() ? make_planned_lighting(lights, options.bands) : nullptr;
   std::vector<Layer> layers;
+  std::shared_ptr<LightField> field;
   for (Pass& pass : report.passes) {
     pass.picture = Image(options.width, options.height);
-    const std::shared_ptr<LightField> field = fields.field(pass);
+    field = planned
+                ? planned_field(*planned, lights, reflectors, seen_hits(scene, caster, planning_width, options), report)
+                : fields.field(pass);
     layers.push_back(layer(pass.name, cost_of(pass), pass.picture, [&, field](const Hit& hit, std::size_t) {
       return scene.materials[hit.material].emission +
              field->reflected(hit, towards_camera(scene, hit), reflectors[hit.material]);
@@ -57,6 +86,10 @@ void render(const Scene& scene, const RayCaster& caster, Fields& fields, Report&
   report.counts.primary_samples = primary_samples(options);
   report.counts.primary_hits = render_layers(scene, caster, options, layers, report.times);
   for (Pass& pass : report.passes) pass.seconds = report.times.seconds(pass.name);
+  if (planned && options.explain) {
+    measure(*report.plan, *planned, *field, seen_hits(scene, caster, measuring_width, options), reflectors,
+            report.counts.primary_hits);
+  }
 }
 
 /// Of the comparisons.
@@ -140,7 +173,7 @@ void run(const Options& options) {
   report.counts.materials = scene.materials.size();
   report.counts.lights = lights.size();
   Fields fields(scene, caster, lights, report, std::move(loaded));
-  render(scene, caster, fields, report);
+  render(scene, caster, lights, fields, report);
   finish(report);
   throw_if_interrupted();
 

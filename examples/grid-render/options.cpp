@@ -98,6 +98,19 @@ void add_grid_options(CLI::App& app, Options& options) {
   add_choice(app, "--window", window_names, options.window, "What tames the ringing of the glossy lobes")->group(group);
 }
 
+void add_plan_options(CLI::App& app, Options& options) {
+  const std::string group = "Tolerance";
+  CLI::Option* tolerance = add_number(
+      app, "--tolerance", options.tolerance, 0.0, 1.0, "0...1",
+      "How far the light may be off that of all lights at each point, as a root mean square: 0.01 is 1 %. "
+      "Vertices, bands and interpolation of the grid are then chosen, and which lights are too near for it; 0 "
+      "takes what the other options say");
+  tolerance->group(group);
+  app.add_flag("--explain", options.explain, "Report what was chosen, why, and what it saved")
+      ->group(group)
+      ->needs(tolerance);
+}
+
 /// What does not go together, beside what each option has said already.
 void add_exclusions(CLI::App& app) {
   const auto exclude = [&](const std::string& name, const std::vector<std::string>& others) {
@@ -106,6 +119,8 @@ void add_exclusions(CLI::App& app) {
   exclude("--compare-shapes", {"--interpolation", "--out", "--shape", "--save-grid", "--load-grid"});
   exclude("--compare", {"--save-grid", "--load-grid"});
   exclude("--load-grid", {"--save-grid", "--grid", "--lights", "--texture", "--shape"});
+  exclude("--tolerance", {"--interpolation", "--compare", "--compare-shapes", "--shape", "--grid", "--paths",
+                          "--save-grid", "--load-grid"});
   exclude("--paths", {"--interpolation", "--compare-shapes", "--shape", "--save-grid", "--load-grid"});
 }
 
@@ -137,6 +152,7 @@ CommandLine<Options> parse_command_line(int argc, char** argv) {
   add_image_options(app, line.options);
   add_light_options(app, line.options);
   add_grid_options(app, line.options);
+  add_plan_options(app, line.options);
   add_exclusions(app);
   line.exit_status = parse(app, argc, argv);
   if (!line.exit_status) check(line.options);

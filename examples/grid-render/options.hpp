@@ -36,6 +36,10 @@ struct Options : CommonOptions {
   bool comparing_shapes = false;  // of the two that compare into a directory
   std::string save_grid;          // empty: nowhere
   std::string load_grid;          // empty: computed
+  double tolerance = 0.0;         // root mean square error, of that of the light; 0: as the other options say
+  bool explain = false;
+
+  bool is_planned() const { return tolerance > 0.0; }
 };
 
 /// Throws InputError with one line about what is wrong.

@@ -72,6 +72,61 @@ std::string comparison_table(const Report& report) {
   return align(rows);
 }
 
+std::string mebibytes(std::size_t bytes) { return format("%.2f", static_cast<double>(bytes) / 1048576.0); }
+std::string percent(double share) { return format("%.3g %%", 100.0 * share); }
+
+/// What a tolerance led to, in a line.
+std::string plan_line(const Report& report) {
+  const GridPlan& plan = *report.plan;
+  const std::string tolerance = "Tolerance " + percent(report.options.tolerance) + ": ";
+  if (plan.choice.bands == 0) {
+    return tolerance + "no grid within it takes less time than all lights at each point, which are taken.\n";
+  }
+  std::string text =
+      tolerance + format("error predicted %s at %zu points", percent(plan.predicted_error).c_str(), plan.predicted_at);
+  if (plan.measured_at > 0) {
+    text += format(", measured %s at %zu others", percent(plan.measured_error).c_str(), plan.measured_at);
+  }
+  return text + ".\n";
+}
+
+/// The plan as tables that a person reads.
+std::string explanation(const Report& report) {
+  const Options& options = report.options;
+  const GridPlan& plan = *report.plan;
+  const Pass& pass = report.passes.front();
+  const GridChoice& choice = plan.choice;
+  const bool is_hermite = choice.method == zonal::Interpolation::hermite;
+  std::vector<Row> choices{{"chosen", "", "why"}};
+  if (choice.bands > 0) {
+    choices.push_back({"grid", resolution_text(choice.resolution),
+                       format("the cheapest of %zu grids looked at that is within the tolerance", plan.tried)});
+    choices.push_back({"interpolation", is_hermite ? "hermite" : "trilinear",
+                       is_hermite ? "values and gradients, of few vertices" : "values alone, of more vertices"});
+    choices.push_back({"bands in the grid", format("%d of %d", choice.bands, options.bands),
+                       choice.bands < options.bands ? "the materials ask for no more" : "the materials ask for them"});
+    choices.push_back({"lights too near for it",
+                       choice.near.is_empty() ? "none" : format("up to %.3g m", static_cast<double>(choice.near.to)),
+                       choice.near.is_empty() ? "the grid tells of all"
+                                              : format("%.1f at a point, one by one; the step begins at %.3g m",
+                                                       plan.near_lights, static_cast<double>(choice.near.from))});
+  }
+  const double fill = pass.grid ? pass.grid->seconds : 0.0;
+  const std::size_t planned = choice.bands > 0 ? pass.grid->bytes + plan.near_bytes : plan.light_bytes;
+  const std::vector<Row> rows{
+      {"", "all lights at each point", "planned"},
+      {"plan, ms", "-", format("%.1f", 1e3 * report.times.seconds(stage_name::plan))},
+      {"grid, ms", "-", format("%.1f", 1e3 * fill)},
+      {"shading, ms", format("%.1f", 1e3 * plan.full_seconds), format("%.1f", 1e3 * pass.seconds)},
+      {"lights in memory, MiB", mebibytes(plan.light_bytes), mebibytes(planned)},
+      {"error, predicted", "0", percent(plan.predicted_error)},
+      {"error, measured", "0", percent(plan.measured_error)},
+  };
+  std::string text = "\n";
+  if (choices.size() > 1) text += align(choices) + "\n";
+  return text + align(rows);
+}
+
 std::string tables(const Report& report) {
   if (!report.options.comparing()) return pass_table(report);
   if (report.options.paths > 0) return path_table(report);
@@ -121,6 +176,8 @@ std::string table(const Report& report) {
   if (options.comparing() && options.paths > 0) {
     return text + "Leak: radiance, root mean square, where the reference is black.\n";
   }
+  if (report.plan) text += plan_line(report);
+  if (report.plan && options.explain) text += explanation(report);
   if (!options.comparing()) return text;
   text += format("MAE: of display values, and of radiance; pictures of differences: display values x %.0f.\n",
                  static_cast<double>(difference_factor));

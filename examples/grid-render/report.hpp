@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "grid_plan.hpp"
 #include "options.hpp"
 #include "shared/image.hpp"
 #include "shared/scene.hpp"
@@ -16,6 +17,7 @@ namespace example::grid_render {
 namespace stage_name {
 using namespace example::stage_name;
 inline constexpr const char* lights = "lights";
+inline constexpr const char* plan = "plan";
 }  // namespace stage_name
 
 /// A grid, as the report tells of it.
@@ -65,6 +67,7 @@ struct Report {
   Counts counts;
   Machine machine;
   Bounds box;                           // of the grids
+  std::optional<GridPlan> plan;         // where there was a tolerance
   std::vector<Pass> passes;             // comparing interpolations, the reference, trilinear, and others
   std::vector<Comparison> comparisons;  // comparing interpolations, of each pass but the first with that
 };

@@ -24,6 +24,7 @@ nlohmann::json options_json(const Options& options) {
                {"lobe_bands", options.lobe_bands},
                {"paths", options.paths},
                {"visibility", options.is_visible},
+               {"tolerance", options.tolerance},
                {"window", name_of(window_names, options.window)}});
   return json;
 }
@@ -45,6 +46,25 @@ nlohmann::json pass_json(const Pass& pass) {
                     {"bytes", pass.grid->bytes},
                     {"seconds", pass.grid->seconds},
                     {"visibility_bytes", pass.grid->visibility_bytes}};
+  }
+  return json;
+}
+
+nlohmann::json plan_json(const GridPlan& plan) {
+  nlohmann::json json{{"grids_tried", plan.tried},
+                      {"predicted_error", plan.predicted_error},
+                      {"predicted_at_points", plan.predicted_at},
+                      {"full_bytes", plan.light_bytes}};
+  if (plan.measured_at > 0) {
+    json.update({{"measured_error", plan.measured_error},
+                 {"measured_at_points", plan.measured_at},
+                 {"full_seconds", plan.full_seconds}});
+  }
+  if (plan.choice.bands > 0) {
+    json.update({{"bands", plan.choice.bands},
+                 {"near_range", {plan.choice.near.from, plan.choice.near.to}},
+                 {"near_lights_per_point", plan.near_lights},
+                 {"near_bytes", plan.near_bytes}});
   }
   return json;
 }
@@ -80,6 +100,7 @@ std::string json_text(const Report& report) {
       report_json(options_json(report.options), counts_json(report.counts), report.machine, report.times);
   json["box"] = {{"lower", vector_json(report.box.lower)}, {"upper", vector_json(report.box.upper)}};
   for (const Pass& pass : report.passes) json["passes"][pass.name] = pass_json(pass);
+  if (report.plan) json["plan"] = plan_json(*report.plan);
   if (report.options.comparing_shapes) {
     add_comparisons(json["comparisons"], report);
   } else if (report.options.comparing()) {

@@ -43,6 +43,19 @@ refused("paths and a file" "--save-grid excludes --paths" --paths 4 --save-grid 
 refused("no paths" "--paths: '0' is not in 1...65536" --paths 0)
 refused("resolution of a loaded grid" "--grid excludes --load-grid" --load-grid box.grid)
 
+foreach(tolerance -1 2 nan little)
+  refused("tolerance ${tolerance}" "--tolerance: '${tolerance}' is not in 0...1" --tolerance ${tolerance})
+endforeach()
+foreach(option interpolation:taylor compare:out compare-shapes:out shape:triangles paths:4 save-grid:x.grid load-grid:box.grid)
+  string(REPLACE ":" ";--tolerance;0.1;" option ${option})
+  list(GET option 0 name)
+  list(GET option 3 value)
+  program_case("tolerance and ${name}" 2 "" "grid-render: --[a-z-]+ excludes --[a-z-]+" $<TARGET_FILE:grid-render>
+    --tolerance 0.1 --${name} ${value})
+endforeach()
+refused("tolerance and a resolution" "--[a-z]+ excludes --[a-z]+" --tolerance 0.1)
+refused("explanation of nothing" "--explain requires --tolerance" --explain)
+
 # ---- Files ----------------------------------------------------------------------------------------------------------
 
 refused("scene missing" "nowhere.obj: no such file" --scene nowhere.obj)
@@ -97,6 +110,10 @@ renders("textures" "x.png" "" --scene textured.obj --out x.png)
 renders("flat scene without the stage" "grid-render.png" "" --scene triangle.obj --no-stage --quiet)
 renders("lit by a picture" "x.exr" "" --scene box.obj --texture reference.exr --quadtree-error 0.2 --out x.exr)
 
+program_case("within a tolerance" 0 "x.json x.png" "" $<TARGET_FILE:grid-render> --size 64x48 --scene box.obj --lights 200
+  --tolerance 0.02 --explain --out x.png --report x.json)
+program_case("no grid within a tolerance" 0 "x.png" "" sh -c "'$<TARGET_FILE:grid-render>' --size 16x12 --scene box.obj \
+  --lights 4 --tolerance 0.0000001 --explain --out x.png | grep -q 'no grid within it takes less time'")
 renders("triangles" "x.png" "" --scene box.obj --lights 4 --shape triangles --out x.png)
 renders("triangle spheres of a picture" "x.png" ""
   --scene box.obj --texture reference.exr --texture-size 4 --shape triangle-spheres --bands 9 --out x.png)

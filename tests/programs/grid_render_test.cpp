@@ -1,5 +1,6 @@
 // What grid-render's own comparison cannot show, because both its sides have it: the shading against plain quadratures
 // of the materials, and the lights.
+#include "grid-render/grid_plan.hpp"
 #include "grid-render/lighting_bands.hpp"
 #include "grid-render/lights.hpp"
 #include "grid-render/zonal_field.hpp"
@@ -7,6 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
+
+#include <tbb/global_control.h>
 
 #include "catch.hpp"
 #include "shared/frame.hpp"
@@ -267,4 +271,136 @@ TEST_CASE("textures: resampling keeps the mean, whatever the sizes") {
     check_close(mean(resampled), mean(picture), 1e-5);
   }
   CHECK(resample(picture, 5, 3).pixels == picture.pixels);
+}
+
+namespace {
+
+/// A box of 4 x 3 x 5 m seen from its middle, chalk, gold and a shiny wall; and sphere lights in it, the first of which
+/// hang some centimetres before the walls.
+struct LitBox {
+  Bounds box{glm::vec3(0.0f), glm::vec3(4.0f, 3.0f, 5.0f)};
+  std::vector<Reflector> reflectors;
+  SphereLights lights;
+  Options options;
+
+  LitBox(int near_walls, int others, int bands) {
+    options.bands = bands;
+    reflectors = project_materials({{"", chalk}, {"", gold}, {"", shiny}}, options);
+    std::mt19937 engine(5);
+    const auto within = [&](float low, float high) { return std::uniform_real_distribution<float>(low, high)(engine); };
+    const auto anywhere = [&] { return glm::vec3(within(0.5f, 3.5f), within(0.5f, 2.5f), within(0.5f, 4.5f)); };
+    for (int i = 0; i < near_walls + others; ++i) {
+      glm::vec3 centre = anywhere();
+      if (i < near_walls) centre[i % 3] = 0.08f;
+      lights.push_back({{centre, 0.03f}, glm::vec3(within(100.0f, 200.0f))});
+    }
+  }
+
+  /// Points of the walls, in turn of the three materials.
+  std::vector<SeenHit> hits(int count, unsigned seed) const {
+    std::mt19937 engine(seed);
+    std::uniform_real_distribution<float> share;
+    std::vector<SeenHit> result;
+    for (int i = 0; i < count; ++i) {
+      glm::vec3 place(0.0f), normal(0.0f);
+      for (int axis = 0; axis < 3; ++axis) place[axis] = share(engine) * box.upper[axis];
+      normal[i % 3] = i % 2 == 0 ? 1.0f : -1.0f;
+      place[i % 3] = i % 2 == 0 ? 0.0f : box.upper[i % 3];
+      result.push_back({{place, normal, normal, 1.0f, static_cast<std::uint32_t>(i % 5 % 3)},
+                        glm::normalize(0.5f * box.upper - place)});
+    }
+    return result;
+  }
+};
+
+GridPlan planned_and_measured(const LitBox& scene, double tolerance, int threads) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  Options options = scene.options;
+  options.tolerance = tolerance;
+  const auto lighting = make_planned_lighting(scene.lights, options.bands);
+  GridPlan plan = plan_grid(*lighting, scene.lights, scene.hits(3000, 1), scene.reflectors, scene.box, options);
+  const PlannedField made = lighting->field(scene.box, plan.choice);
+  measure(plan, *lighting, *made.field, scene.hits(5000, 2), scene.reflectors, 100000);
+  return plan;
+}
+
+}  // namespace
+
+TEST_CASE("tolerance: the near and the far part of a light add up to it, and their slopes are their derivatives") {
+  const zonal::SphereLight<double> light{{0, 0, 0}, 0.3};
+  const auto profile_of = [&](const auto& part, double distance) {
+    return part.template profile<5>(zonal::Sight<double>{{1, 0, 0}, distance, 1 / distance});
+  };
+  const FarSphere<double> far{light.center, light.radius, 0.8, 1 / 1.5};
+  const NearSphere<double> near{light.center, light.radius, 0.8, 1 / 1.5};
+  for (double distance = 0.45; distance < 3.0; distance += 0.05) {
+    const auto whole = profile_of(light, distance), of_far = profile_of(far, distance),
+               of_near = profile_of(near, distance);
+    const double step = 1e-5;
+    const auto before = profile_of(far, distance - step), after = profile_of(far, distance + step);
+    for (int l = 0; l < 5; ++l) {
+      CAPTURE(distance, l);
+      CHECK(std::abs(of_far.value[l] + of_near.value[l] - whole.value[l]) <= 1e-14);
+      CHECK(std::abs(of_far.slope[l] + of_near.slope[l] - whole.slope[l]) <= 1e-13);
+      CHECK(std::abs((after.value[l] - before.value[l]) / (2 * step) - of_far.slope[l]) <= 1e-7);
+    }
+    CHECK((distance > 0.8 || of_far.value[0] == 0.0));
+    CHECK((distance < 2.3 || of_near.value[0] == 0.0));
+  }
+  const auto everywhere = part_of<FarSphere>(zonal::SphereLight<float>{{0, 0, 0}, 0.3f}, {});
+  const zonal::Sight<float> sight{{1, 0, 0}, 0.4f, 2.5f};
+  CHECK(everywhere.profile<3>(sight).value[2] == zonal::SphereLight<float>{{0, 0, 0}, 0.3f}.profile<3>(sight).value[2]);
+  CHECK(everywhere.profile<3>(sight).slope[2] == zonal::SphereLight<float>{{0, 0, 0}, 0.3f}.profile<3>(sight).slope[2]);
+}
+
+TEST_CASE("tolerance: a grid with near lights one by one is nearer the truth, the farther these reach") {
+  const LitBox scene(9, 20, 5);
+  const auto lighting = make_planned_lighting(scene.lights, 5);
+  const std::vector<SeenHit> hits = scene.hits(2000, 3);
+  double before = std::numeric_limits<double>::infinity();
+  for (const float reach : {0.0f, 0.8f, 1.6f, 3.2f}) {
+    GridPlan plan;
+    plan.choice = {5, zonal::Interpolation::hermite, {9, 7, 11}, {0.2f * reach, reach}};
+    const PlannedField made = lighting->field(scene.box, plan.choice);
+    measure(plan, *lighting, *made.field, hits, scene.reflectors, 1);
+    CAPTURE(reach, plan.measured_error, before);
+    CHECK(plan.measured_error < 0.6 * before);
+    before = plan.measured_error;
+  }
+  CHECK(before < 0.002);
+}
+
+TEST_CASE("tolerance: what is measured is within it and near what was predicted, and no thread changes the choice") {
+  for (const int bands : {3, 5}) {
+    for (const auto& [near_walls, others] : {std::pair(0, 300), {9, 100}, {3, 5}}) {
+      const LitBox scene(near_walls, others, bands);
+      for (const double tolerance : {0.1, 0.03, 0.01}) {
+        const GridPlan one = planned_and_measured(scene, tolerance, 1), two = planned_and_measured(scene, tolerance, 2);
+        CAPTURE(bands, near_walls, others, tolerance, one.choice.bands, one.choice.resolution.x, one.choice.near.to);
+        CAPTURE(one.predicted_error, one.measured_error);
+        CHECK(one.measured_error <= tolerance);
+        CHECK(one.predicted_error <= 5.0 * one.measured_error);
+        CHECK(one.measured_error <= 5.0 * one.predicted_error);
+        CHECK(one.measured_error == two.measured_error);
+        CHECK(one.choice.resolution == two.choice.resolution);
+        CHECK(one.choice.near.to == two.choice.near.to);
+      }
+    }
+  }
+}
+
+TEST_CASE("tolerance: what no grid reaches has none, and more tolerance is no more work") {
+  const GridPlan exact = planned_and_measured(LitBox(3, 5, 5), 1e-7, 2);
+  CHECK(exact.choice.bands == 0);
+  CHECK(exact.measured_error == 0.0);
+  const LitBox scene(0, 300, 5);
+  int before = std::numeric_limits<int>::max();
+  for (const double tolerance : {0.01, 0.03, 0.1, 0.3}) {
+    const GridChoice choice = planned_and_measured(scene, tolerance, 2).choice;
+    const int numbers = choice.resolution.x * choice.resolution.y * choice.resolution.z * choice.bands * choice.bands;
+    CAPTURE(tolerance, numbers, before);
+    CHECK(choice.bands > 0);
+    CHECK(numbers <= before);
+    before = numbers;
+  }
 }

@@ -16,7 +16,9 @@ esac
 {
   zonal_setup ZONAL_REQUIRE_TESTS "${zonal_test_packages[@]}" python3
   zonal_say "building zonal-bench and grid-render ($zonal_jobs at a time)"
-  cmake --build "$zonal_build" --target zonal-bench grid-render -j "$zonal_jobs"
+  limits=(zonal-limits)
+  if ninja -C "$zonal_build" -t query zonal-limits-avx2 >/dev/null 2>&1; then limits+=(zonal-limits-avx2); fi
+  cmake --build "$zonal_build" --target zonal-bench "${limits[@]}" grid-render -j "$zonal_jobs"
 } >&2
 
 folder="$(mktemp -d)"
@@ -39,6 +41,10 @@ TEXT
 zonal_say "running zonal-bench" >&2
 printf '```\n'
 "$zonal_build/bench/zonal-bench" --table
+for program in "${limits[@]}"; do
+  printf '\n'
+  "$zonal_build/bench/limits/$program"
+done
 printf '```\n\n'
 
 python3 "$print_tables" picture "$folder/waves.ppm"

@@ -41,6 +41,8 @@ std::vector<std::string> registry_names();
 /// each kind the recorder has counted, and seconds.
 inline constexpr std::array operation_counters{"add", "mul", "div", "fun", "cmp"};
 inline constexpr const char* time_counter = "each";
+/// The counters of the registry's kernels: what else their limit is found from, limits.hpp.
+inline constexpr const char *fused_counter = "fused", *loads_counter = "loads", *stores_counter = "stores";
 /// How many items one run of the kernel does.
 inline constexpr const char* lanes_counter = "lanes";
 

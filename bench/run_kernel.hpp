@@ -82,6 +82,9 @@ Benchmark* register_kernel(const std::function<KernelFacts()>& facts, const Effo
     KernelData<T> data = draw_data<T>(of_entry, N);
     for (auto _ : state) run_on_all<Entry, N>(data);
     set_counters(state, of_entry.count, data.runs * Scalar<T>::lanes, Scalar<T>::lanes);
+    state.counters[fused_counter] = of_entry.count.fused;
+    state.counters[loads_counter] = static_cast<double>(data.input_size);
+    state.counters[stores_counter] = static_cast<double>(data.outputs.size());
   };
   return register_benchmark(Entry::name, N, Scalar<T>::name, body, effort);
 }

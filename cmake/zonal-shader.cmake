@@ -1,17 +1,19 @@
-# zonal_add_shader(<target> OUTPUT <file> FUNCTIONS <name>... [BANDS <n>] [DIALECT <dialect>] [OPTIONS <option>...])
+# zonal_add_shader(<target> OUTPUT <file> [FUNCTIONS <name>...] [ADJOINT <name>... [BY <input>...]] [BANDS <n>]
+#   [DIALECT <dialect>] [OPTIONS <option>...])
 #
 # Writes a file of shader functions by zonal-glsl when <target>, of the same folder, is built, and puts the file's folder
 # on the target's include path. A target may have several: what they have in common is guarded. A <name> may have a number
-# of bands of its own, evaluate@3; an <option> is one of zonal-glsl, such as --precise.
+# of bands of its own, evaluate@3; those of ADJOINT come with derivatives, by the inputs that BY names; an <option> is one
+# of zonal-glsl, such as --precise.
 #
 # The program is that of the variable ZONAL_GLSL; else the one built with zonal, by add_subdirectory and FetchContent as
 # well; else the one installed with the package; else one on the path. Where a program just built cannot run, when
 # compiling for another machine, it is never the second.
 function(zonal_add_shader target)
-  cmake_parse_arguments(PARSE_ARGV 1 shader "" "OUTPUT;BANDS;DIALECT" "FUNCTIONS;OPTIONS")
-  if(NOT shader_OUTPUT OR NOT shader_FUNCTIONS OR shader_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "zonal_add_shader(<target> OUTPUT <file> FUNCTIONS <name>... [BANDS <n>] [DIALECT <dialect>] "
-      "[OPTIONS <option>...])")
+  cmake_parse_arguments(PARSE_ARGV 1 shader "" "OUTPUT;BANDS;DIALECT" "FUNCTIONS;ADJOINT;BY;OPTIONS")
+  if(NOT shader_OUTPUT OR (NOT shader_FUNCTIONS AND NOT shader_ADJOINT) OR shader_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "zonal_add_shader(<target> OUTPUT <file> [FUNCTIONS <name>...] [ADJOINT <name>... [BY <input>...]] "
+      "[BANDS <n>] [DIALECT <dialect>] [OPTIONS <option>...])")
   endif()
   if(shader_BANDS)
     list(PREPEND shader_OPTIONS --bands ${shader_BANDS})
@@ -39,11 +41,16 @@ function(zonal_add_shader target)
   endif()
   cmake_path(ABSOLUTE_PATH shader_OUTPUT BASE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
   cmake_path(GET shader_OUTPUT PARENT_PATH folder)
-  list(JOIN shader_FUNCTIONS "," names)
+  foreach(list FUNCTIONS ADJOINT BY)
+    if(shader_${list})
+      list(JOIN shader_${list} "," names)
+      string(TOLOWER ${list} option)
+      list(APPEND shader_OPTIONS --${option} ${names})
+    endif()
+  endforeach()
   add_custom_command(OUTPUT ${shader_OUTPUT}
     COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
-    COMMAND ${program} --functions ${names} --dialect ${shader_DIALECT} ${shader_OPTIONS}
-      -o ${shader_OUTPUT}
+    COMMAND ${program} --dialect ${shader_DIALECT} ${shader_OPTIONS} -o ${shader_OUTPUT}
     DEPENDS ${program}
     COMMENT "Writing ${shader_OUTPUT}"
     VERBATIM)

@@ -24,6 +24,8 @@ inline constexpr std::string_view kSteepest = "the degree's steepest slope";
 inline constexpr std::string_view kAllCaps = "half angles from asin(1e-12) to pi - asin(1e-12)";
 inline constexpr std::string_view kSmallCaps = "half angles from asin(1e-12) to pi/2";
 inline constexpr std::string_view kLargest = "largest coefficient";
+inline constexpr std::string_view kAnyLength = "directions to all sides, squares of their lengths normal numbers";
+inline constexpr std::string_view kUlpOfTerms = "ulp of the sum of its terms' greatest magnitudes";
 inline constexpr std::string_view kUlpOfResult = "ulp of the result";
 inline constexpr std::string_view kUlpOfPi = "ulp of pi";
 
@@ -74,6 +76,11 @@ inline constexpr Accuracy kKernelAccuracy[] = {
     {"phong", "double", 21, "exponents 1 to 1000", kLargest, 5e-16},
     {"spherical_gaussian", "float", 21, "sharpness 0 to 1e6", kLargest, 1e-6},
     {"spherical_gaussian", "double", 21, "sharpness 0 to 1e6", kLargest, 2e-15},
+    {"reconstruct_with_adjoint", "float", 3, kAnyLength, kUlpOfTerms, 4.5},
+    {"reconstruct_with_adjoint", "float", 4, kAnyLength, kUlpOfTerms, 8},
+    {"reconstruct_with_adjoint", "float", 10, kAnyLength, kUlpOfTerms, 60},
+    {"reconstruct_with_adjoint", "double", 4, kAnyLength, kUlpOfTerms, 8},
+    {"reconstruct_with_adjoint", "double", 10, kAnyLength, kUlpOfTerms, 60},
     in_any_scalar("evaluate", 4),
     in_any_scalar("evaluate_even", 5),
     in_any_scalar("evaluate_zonal", 3),

@@ -11,7 +11,9 @@ awk -F, '
   NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
   { ++lines[$1] }
   $1 != "full" && !($at["measured"] <= $at["tolerance"]) { fail("measured") }
-  $1 != "full" && !($at["proved"] > 0 && $at["proved"] <= 1.1 * $at["tolerance"]) { fail("proved") }
+  $1 != "full" && !($at["proved"] <= 1.1 * $at["tolerance"]) { fail("proved") }
+  # Of few lights each may be taken, which leaves nothing but rounding.
+  $1 != "full" && $at["lights"] > 100 && !($at["proved"] > $at["measured"] && $at["measured"] > 0) { fail("errors") }
   $1 != "full" && !($at["lights_per_hit"] > 0 && $at["lights_per_hit"] <= $at["lights"]) { fail("lights") }
   END { if (lines["lights"] != 3 || lines["tolerance"] != 2 || lines["full"] != 1) fail("lines"); exit bad }' \
   "$folder/many_lights.csv"

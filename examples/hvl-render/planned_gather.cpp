@@ -34,8 +34,7 @@ std::unique_ptr<PlannedGatherer> make(const GatherInput& input, const ScenePlan&
 
 PlanFigures& PlanFigures::operator+=(const PlanFigures& other) {
   hits += other.hits, groups += other.groups, checked += other.checked;
-  pairs += other.pairs, cut_lights += other.cut_lights, magnitude += other.magnitude, power += other.power,
-      variance += other.variance;
+  pairs += other.pairs, cut_lights += other.cut_lights, power += other.power, variance += other.variance;
   checked_power += other.checked_power, checked_error += other.checked_error;
   checked_seconds += other.checked_seconds;
   return *this;

@@ -14,7 +14,6 @@ struct PlanFigures {
   std::size_t hits = 0, groups = 0;
   double pairs = 0;            // of hits and lights that were gathered
   double cut_lights = 0;       // of hits and lights that the cuts ask for, with those that turn out to be dark
-  double magnitude = 0;        // roots of the squares of radiance, at a glance
   double power = 0;            // squares of the radiance
   double variance = 0;         // squares of the deviation, at most, as the cuts prove
   std::size_t checked = 0;     // hits gathered in full as well,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -12,10 +13,11 @@
 #include <tbb/parallel_for.h>
 
 #include <zonal/many_lights/hvl_tree.hpp>
-#include <zonal/many_lights/receiver_groups.hpp>
 
 #include "cached_gatherer.hpp"
+#include "cut_rule.hpp"
 #include "gather_hvl.hpp"
+#include "hit_groups.hpp"
 #include "planned_gather.hpp"
 #include "shared/random.hpp"
 
@@ -29,21 +31,25 @@ class PlannedHvl final : public PlannedGatherer {
   PlannedHvl(const GatherInput& input, const ScenePlan& plan) : input_(input) {
     zonal::HvlCache<NE> lights(lit(input.map));
     tree_ = zonal::HvlTree<NE>(lights, [](int count, const auto& body) { tbb::parallel_for(0, count, body); });
+    if (tree_.size() > 0) turn_length_ = 0.2f * glm::length(tree_.tree().node(0).reach);
     if (input.options.checked_share > 0.0f) lights_ = std::move(lights);
     for (const MaterialNeeds& material : plan.materials) symmetry_.push_back(material.receiving.symmetry);
     for (std::size_t i = 0; i < input.materials.receiving.size(); ++i) one_colour_.push_back(one_colour(i));
-    // The rest is for what the glance is off by.
-    tolerance_.relative = 0.95f * static_cast<float>(input.options.tolerance);
-    tolerance_.with_visibility = input.options.centre_visibility;
   }
 
   void add(Image& image, const PrimaryHits& hits, const Stage& stage) override {
-    const Tiles tiles(image.width, hits);
-    if (!(tolerance_.typical_radiance > 0.0f)) tolerance_.typical_radiance = glance(tiles, hits);
-    figures_ += for_each_tile(tiles, 1, [&](const Tile& tile, Scratch& scratch) {
-      collect(tile, hits, scratch);
+    const Tiles tiles(image.width, hits, tree_.size());
+    const CutRule rule =
+        find_cut_rule(input_.options.tolerance, tree_.size(), [&](const CutRule& tried, double exponent) {
+          return for_each_tile<Glance>(tiles, false, [&](const Tile& tile, Scratch& scratch) {
+            return for_each_group<Glance>(tiles, tile, hits, tried, scratch,
+                                          [&](const HitGroup& group) { return glance(group, exponent, scratch); });
+          });
+        });
+    figures_ += for_each_tile<PlanFigures>(tiles, true, [&](const Tile& tile, Scratch& scratch) {
       const PlanFigures figures =
-          for_each_group(scratch, [&](const Group& group) { return add_group(image, hits, group, scratch); });
+          for_each_group<PlanFigures>(tiles, tile, hits, rule, scratch,
+                                      [&](const HitGroup& group) { return add_group(image, hits, group, scratch); });
       stage.progress.advance(stage.label, stage.cost_per_pixel * tile.width * tile.height);
       return figures;
     });
@@ -57,38 +63,6 @@ class PlannedHvl final : public PlannedGatherer {
   }
 
  private:
-  /// Pixels of the slice.
-  struct Tile {
-    int left, top, width, height;
-  };
-  struct Tiles {
-    int width, height, side, across, down;
-
-    /// A twentieth of the picture across: cuts then cost little, and few surfaces change much within a tile.
-    Tiles(int image_width, const PrimaryHits& hits)
-        : width(image_width), height(hits.slice().rows), side(std::clamp(image_width / 80 * 4, 8, 64)) {
-      // About as many hits, whatever is seen of a pixel.
-      side = std::max(4, static_cast<int>(side / std::sqrt(static_cast<double>(hits.per_pixel()))) / 4 * 4);
-      across = (width + side - 1) / side;
-      down = (height + side - 1) / side;
-    }
-
-    int count() const { return across * down; }
-    Tile operator[](int number) const {
-      const int left = number % across * side, top = number / across * side;
-      return {left, top, std::min(side, width - left), std::min(side, height - top)};
-    }
-  };
-  /// A hit of a tile: of which pixel and sample of the image.
-  struct Place {
-    const Hit* hit;
-    std::size_t pixel, sample;
-    std::uint32_t pattern;  // 0 to 15, by which it takes a draw
-  };
-  struct Group {
-    zonal::GroupedReceiver* receivers;
-    int count;
-  };
   /// A material that looks the same from everywhere, in one colour: Lambert's.
   struct OneColour {
     zonal::Zh<N, float> coefficients;
@@ -96,137 +70,108 @@ class PlannedHvl final : public PlannedGatherer {
   };
   /// What a thread works with.
   struct Scratch {
-    std::vector<Place> places;
-    std::vector<zonal::GroupedReceiver> receivers;
+    HitGroups groups;
     std::vector<zonal::DrawnLights<NE>> draws;
     std::optional<zonal::LightCut<N, NE, H>> cut;
-
-    const Place& place(const Group& group, int i) const {
-      return places[static_cast<std::size_t>(group.receivers[i].index)];
-    }
+    std::array<const Hit*, zonal::cut_receivers> chosen;  // one of each part of the group
   };
 
-  /// The sum of body(tile, scratch) over every step-th tile, on all threads, added up in order.
-  template <class Body>
-  PlanFigures for_each_tile(const Tiles& tiles, int step, const Body& body) {
-    std::vector<PlanFigures> figures(static_cast<std::size_t>(tiles.count()));
-    tbb::parallel_for(0, tiles.count(), step, [&](int number) {
-      if (!stop_requested()) figures[static_cast<std::size_t>(number)] = body(tiles[number], scratch_.local());
+  /// The sum of body(tile, scratch) over all tiles, or a fifth of them, on all threads, added up in order.
+  template <class Sum, class Body>
+  Sum for_each_tile(const Tiles& tiles, bool all, const Body& body) {
+    std::vector<Sum> sums(static_cast<std::size_t>(tiles.count()));
+    tbb::parallel_for(0, tiles.count(), [&](int number) {
+      if (stop_requested() || !(all || tiles.is_sample(number))) return;
+      sums[static_cast<std::size_t>(number)] = body(tiles[number], scratch_.local());
     });
     throw_if_interrupted();
-    PlanFigures sum;
-    for (const PlanFigures& tile : figures) sum += tile;
-    return sum;
+    Sum total;
+    for (const Sum& sum : sums) total += sum;
+    return total;
   }
 
   /// The sum of body(group) over the groups of a tile, with their cuts found.
-  template <class Body>
-  PlanFigures for_each_group(Scratch& scratch, const Body& body) const {
-    PlanFigures sum;
-    zonal::for_each_receiver_group(scratch.receivers.data(), static_cast<int>(scratch.receivers.size()),
-                                   [&](zonal::GroupedReceiver* receivers, int count) {
-                                     sum += for_each_part(Group{receivers, count}, scratch, body);
-                                   });
+  template <class Sum, class Body>
+  Sum for_each_group(const Tiles& tiles, const Tile& tile, const PrimaryHits& hits, const CutRule& rule,
+                     Scratch& scratch, const Body& body) const {
+    Sum sum;
+    scratch.groups.for_each(tile, tiles.least_group(), hits, turn_length_, [&](const HitGroup& group) {
+      find_cut(group, rule, scratch);
+      sum += body(group);
+    });
     return sum;
   }
 
-  /// Parts a group of which some are so much nearer to lights that those chosen do not tell of all.
-  template <class Body>
-  PlanFigures for_each_part(const Group& group, Scratch& scratch, const Body& body) const {
-    constexpr int least_count = 32;
-    const auto is_uneven = [&](const zonal::CutTolerance& tolerance, double most) {
-      find_cut(group, tolerance, scratch);
-      return group.count >= 2 * least_count && scratch.cut->unevenness() > most;
-    };
-    zonal::CutTolerance coarse = tolerance_;
-    coarse.relative = std::max(coarse.relative, 0.2f);
-    if (is_uneven(coarse, 3.0) || is_uneven(tolerance_, 4.0)) {
-      const int half = zonal::halve_receivers(group.receivers, group.count);
-      PlanFigures sum = for_each_part({group.receivers, half}, scratch, body);
-      return sum += for_each_part({group.receivers + half, group.count - half}, scratch, body);
+  Glance glance(const HitGroup& group, double exponent, Scratch& scratch) const {
+    Glance seen;
+    seen.variance = scratch.cut->variance() * group.count();
+    if (seen.variance > 0.0) seen.scaled = seen.variance / std::pow(scratch.cut->greatest_variance(), exponent);
+    draw(group, 1, scratch);
+    for (int part = 0; part < group.parts.parts; ++part) {
+      const Hit& hit = *scratch.chosen[static_cast<std::size_t>(part)];
+      seen.power += power_of(gather(scratch.draws[0], hit)) * group.parts.size(part);
     }
-    return body(group);
+    return seen;
   }
 
-  void collect(const Tile& tile, const PrimaryHits& hits, Scratch& scratch) const {
-    // Ordered dither: what stands near together, in rows and columns too, is spread over the draws.
-    constexpr std::uint32_t ordered[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
-    scratch.places.clear();
-    scratch.receivers.clear();
-    const auto per_pixel = static_cast<std::uint32_t>(hits.per_pixel());
-    for (int y = tile.top; y < tile.top + tile.height; ++y) {
-      for (int x = tile.left; x < tile.left + tile.width; ++x) {
-        const std::size_t in_slice = hits.index(x, y), pixel = hits.index(x, y + hits.slice().first_row);
-        for (std::uint32_t sample = 0; sample < per_pixel; ++sample) {
-          const std::optional<Hit>& hit = hits.of_pixel(in_slice)[sample];
-          if (!hit) continue;
-          scratch.receivers.push_back({hit->position, hit->normal, static_cast<int>(scratch.places.size())});
-          const std::uint32_t pattern = (ordered[y % 4][x % 4] + 7 * sample) % 16;
-          scratch.places.push_back({&*hit, pixel, pixel * per_pixel + sample, pattern});
-        }
-      }
-    }
+  zonal::CutTolerance tolerance_of(const HitGroup& group, const CutRule& rule) const {
+    constexpr double cut_cost = 400.0;  // gathers of a light that cost as much as to find and draw it for all
+    zonal::CutTolerance tolerance;
+    tolerance.with_visibility = input_.options.centre_visibility;
+    tolerance.relative = rule.relative;
+    tolerance.of_one_light = static_cast<float>(rule.of_one_light * (1.0 + cut_cost / group.count()));
+    return tolerance;
   }
 
-  /// The tolerance's typical radiance, by cuts at some of the tiles.
-  float glance(const Tiles& tiles, const PrimaryHits& hits) {
-    constexpr int one_of = 3;
-    const PlanFigures figures = for_each_tile(tiles, one_of, [&](const Tile& tile, Scratch& scratch) {
-      collect(tile, hits, scratch);
-      return for_each_group(scratch, [&](const Group& group) {
-        PlanFigures seen;
-        seen.hits = static_cast<std::size_t>(group.count);
-        seen.magnitude = std::sqrt(scratch.cut->power()) * group.count;
-        draw(group, 1, scratch);
-        for (int i = 0; i < zonal::cut_receivers; ++i) {
-          const glm::vec3 radiance = gather(scratch.draws[0], *chosen(group, i, scratch).hit);
-          seen.power += power_of(radiance) * group.count / zonal::cut_receivers;
-        }
-        return seen;
-      });
-    });
-    return figures.magnitude > 0.0 ? static_cast<float>(figures.power / figures.magnitude) : 0.0f;
+  std::uint64_t seed_of(const HitGroup& group, const Scratch& scratch) const {
+    return hash64(input_.options.seed ^ hash64(scratch.groups.place(group, 0).sample));
   }
 
-  std::uint64_t seed_of(const Group& group, const Scratch& scratch) const {
-    return hash64(input_.options.seed ^ hash64(scratch.place(group, 0).sample));
-  }
-
-  /// One of those that stand for the group.
-  const Place& chosen(const Group& group, int i, const Scratch& scratch) const {
-    const std::uint64_t seed = seed_of(group, scratch);
-    const double part = (i + zonal::detail::scatter(seed, static_cast<std::uint64_t>(i))) / zonal::cut_receivers;
-    return scratch.place(group, std::min(static_cast<int>(part * group.count), group.count - 1));
-  }
-
-  void find_cut(const Group& group, const zonal::CutTolerance& tolerance, Scratch& scratch) const {
+  /// For one of each part, at random, that stands for the part.
+  void find_cut(const HitGroup& group, const CutRule& rule, Scratch& scratch) const {
     zonal::BoundedReceiver<N, float> receivers[zonal::cut_receivers];
-    for (int i = 0; i < zonal::cut_receivers; ++i) receivers[i] = bounded(*chosen(group, i, scratch).hit);
+    for (int part = 0; part < group.parts.parts; ++part) {
+      const int first = group.parts.first[part], size = group.parts.size(part);
+      const double place = zonal::detail::scatter(seed_of(group, scratch), static_cast<std::uint64_t>(part)) * size;
+      const int chosen = first + std::min(static_cast<int>(place), size - 1);
+      const Hit& hit = *scratch.groups.place(group, chosen).hit;
+      scratch.chosen[static_cast<std::size_t>(part)] = &hit;
+      zonal::Box3 positions;
+      float chord = 0.0f;
+      for (int i = first; i < first + size; ++i) {
+        positions.add(group.receivers[i].position);
+        chord = std::max(chord, glm::distance(group.receivers[i].normal, hit.normal));
+      }
+      const float tilt = 2.0f * std::asin(std::min(0.5f * chord, 1.0f));
+      const float weight = static_cast<float>(zonal::cut_receivers * size) / static_cast<float>(group.count());
+      receivers[part] = zonal::weighted(zonal::spread_over(bounded(hit), positions, tilt), weight);
+    }
+    std::fill(receivers + group.parts.parts, receivers + zonal::cut_receivers, zonal::weighted(receivers[0], 0.0f));
     if (!scratch.cut) scratch.cut.emplace(tree_.tree());
-    scratch.cut->find(zonal::as_packet(receivers), tolerance);
+    scratch.cut->find(zonal::as_packet(receivers), tolerance_of(group, rule));
   }
 
-  void draw(const Group& group, int draws, Scratch& scratch) const {
+  void draw(const HitGroup& group, int draws, Scratch& scratch) const {
     scratch.draws.resize(static_cast<std::size_t>(draws));
     zonal::ReceiverBox box;
-    for (int i = 0; i < group.count; ++i) box.add(group.receivers[i].position, group.receivers[i].normal);
+    for (int i = 0; i < group.count(); ++i) box.add(group.receivers[i].position, group.receivers[i].normal);
     tree_.draw(*scratch.cut, box, seed_of(group, scratch), scratch.draws);
   }
 
-  PlanFigures add_group(Image& image, const PrimaryHits& hits, const Group& group, Scratch& scratch) const {
+  PlanFigures add_group(Image& image, const PrimaryHits& hits, const HitGroup& group, Scratch& scratch) const {
     const zonal::LightCut<N, NE, H>& cut = *scratch.cut;
-    constexpr int most_draws = 8, hits_of_a_draw = 12;
-    const int draws = std::clamp(group.count / hits_of_a_draw, 1, most_draws);
+    constexpr int most_draws = 4, hits_of_a_draw = 96;
+    const int draws = std::clamp(group.count() / hits_of_a_draw, 1, most_draws);
     draw(group, draws, scratch);
 
     PlanFigures figures;
-    figures.hits = static_cast<std::size_t>(group.count), figures.groups = 1;
-    figures.variance = cut.variance() * group.count;
-    figures.cut_lights = static_cast<double>(cut.size()) * group.count;
-    for (const auto& drawn : scratch.draws) figures.pairs += static_cast<double>(drawn.size()) * group.count / draws;
+    figures.hits = static_cast<std::size_t>(group.count()), figures.groups = 1;
+    figures.variance = cut.variance() * group.count();
+    figures.cut_lights = static_cast<double>(cut.size()) * group.count();
+    for (const auto& drawn : scratch.draws) figures.pairs += static_cast<double>(drawn.size()) * group.count() / draws;
     for (std::uint32_t number = 0; number < static_cast<std::uint32_t>(draws); ++number) {
-      for (int i = 0; i < group.count; ++i) {
-        const Place& place = scratch.place(group, i);
+      for (int i = 0; i < group.count(); ++i) {
+        const Place& place = scratch.groups.place(group, i);
         if (place.pattern * static_cast<std::uint32_t>(draws) / 16 != number) continue;
         const glm::vec3 radiance = gather(scratch.draws[number], *place.hit);
         image.pixels[place.pixel] += radiance / static_cast<float>(hits.per_pixel());
@@ -259,7 +204,11 @@ class PlannedHvl final : public PlannedGatherer {
     if (const auto& anisotropic = input_.materials.anisotropic[hit.material]) {
       return zonal::bounded_receiver<N>(receiver, *anisotropic);
     }
-    return zonal::bounded_receiver(receiver, coefficients_at<N>(input_.materials, hit, receiver));
+    const auto coefficients = coefficients_at<N>(input_.materials, hit, receiver);
+    if (symmetry_[hit.material] == zonal::Symmetry::zonal) {
+      return zonal::bounded_receiver(receiver, about_axis(coefficients));
+    }
+    return zonal::bounded_receiver(receiver, coefficients);
   }
 
   zonal::Receiver receiver_at(const Hit& hit) const {
@@ -303,9 +252,9 @@ class PlannedHvl final : public PlannedGatherer {
   GatherInput input_;
   std::vector<zonal::Symmetry> symmetry_;             // of each material
   std::vector<std::optional<OneColour>> one_colour_;  // where it is one
-  zonal::CutTolerance tolerance_;
-  zonal::HvlCache<NE> lights_;  // to check
+  zonal::HvlCache<NE> lights_;                        // to check
   zonal::HvlTree<NE> tree_;
+  float turn_length_ = 1.0f;  // a turn by 1 rad matters as much to a receiver as to move by that
   tbb::enumerable_thread_specific<Scratch> scratch_;
   PlanFigures figures_;
 };

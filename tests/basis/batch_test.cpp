@@ -228,24 +228,38 @@ TEST_CASE("A direction's results do not depend on its place in a batch, or on th
 
 TEST_CASE("Past the caches, and in runs of planes, results are the same to the bit") {
   constexpr int bands = 5;
-  constexpr std::size_t size = bands * bands, count = 1003, stride = 1008;
+  constexpr std::size_t size = bands * bands, count = 1003;
   const Inputs<float> inputs(count);
   const auto expected = all_rows<bands>(inputs.span(0), Stores::cached);
   for (std::size_t offset = 0; offset < 17; ++offset) {
     CAPTURE(offset);
     REQUIRE(all_rows<bands>(inputs.span(2), Stores::past_caches, offset) == expected);
-    for (const Stores stores : {Stores::cached, Stores::past_caches}) {
-      std::vector<float> planes(stride * size + offset);
-      zonal::evaluate<bands>(inputs.span(1), CoefficientPlanes<float>{planes.data() + offset, stride}, stores);
-      std::size_t different = 0;
-      for (std::size_t k = 0; k < count; ++k) {
-        for (std::size_t i = 0; i < size; ++i) {
-          if (!same_bits(&planes[offset + i * stride + k], &expected[k * size + i], 1)) ++different;
+    for (const std::size_t stride :
+         {std::size_t{1008}, std::size_t{1024}}) {  // whose planes a first-level cache holds, or not
+      for (const Stores stores : {Stores::cached, Stores::past_caches}) {
+        CAPTURE(stride, static_cast<int>(stores));
+        std::vector<float> planes(stride * size + offset);
+        zonal::evaluate<bands>(inputs.span(1), CoefficientPlanes<float>{planes.data() + offset, stride}, stores);
+        std::size_t different = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+          for (std::size_t i = 0; i < size; ++i) {
+            if (!same_bits(&planes[offset + i * stride + k], &expected[k * size + i], 1)) ++different;
+          }
         }
+        REQUIRE(different == 0);
       }
-      REQUIRE(different == 0);
     }
   }
+}
+
+TEST_CASE("Planes are stored in runs where they would crowd each other out of a first-level cache") {
+  using zonal::detail::fits_planes;
+  CHECK(fits_planes(25, 4032));        // 63 lines apart: all places
+  CHECK(fits_planes(25, 4));           // across lines
+  CHECK(fits_planes(25, 512));         // 8 places
+  CHECK_FALSE(fits_planes(25, 1024));  // 4 places, of 8 lines each
+  CHECK_FALSE(fits_planes(25, 4096 * 5));
+  CHECK_FALSE(fits_planes(4 * 100, 64));
 }
 
 TEST_CASE("Results that no cache holds go past the caches, and are the same") {

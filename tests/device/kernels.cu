@@ -2,6 +2,7 @@
 #include <zonal/light/point.hpp>
 #include <zonal/light/sphere.hpp>
 #include <zonal/light/triangle.hpp>
+#include <zonal/transform/reconstruct_adjoint.hpp>
 #include <zonal/zonal.hpp>
 
 struct Vec3 {
@@ -51,6 +52,8 @@ __global__ void transform_room(const zonal::Sh<5, float>* sh, const zonal::Zh<5,
            zonal::reconstruct_convolved(sh[0], zonal::LambertLobe{}, d[0]);
   out[3] = total(zonal::apply_window(sh[0], zonal::Window::hann)) +
            total(zonal::apply_window(zh[0], zonal::Window::sinc, 4.5));
+  const auto adjoint = zonal::reconstruct_with_adjoint<zonal::ColourRule::splat>(sh[0], d[1], out[5]);
+  out[5] = zonal::reconstruct_along(sh[0], d[1]) + total(adjoint.by_sh) + adjoint.by_direction[0];
 }
 
 __global__ void light_room(const zonal::SphereLight<float>* sphere, const zonal::SpotLight<float>* spot,

@@ -177,13 +177,48 @@ TEST_CASE("light cut: the error is within the tolerance, and at 1 % within a fac
   }
 }
 
+TEST_CASE("light cut: one number for what a light may deviate by") {
+  const Scene scene(30, 20000);
+  Cut<3> cut(scene.tree.tree()), by_radiance(scene.tree.tree());
+  by_radiance.find(scene.packet, {0.02F});
+  zonal::CutTolerance tolerance;
+  tolerance.of_one_light = float(by_radiance.greatest_variance());
+  cut.find(scene.packet, tolerance);
+  CHECK(cut.size() == by_radiance.size());
+  CHECK(cut.variance() == by_radiance.variance());
+  int before = cut.size();
+  for (int halved = 0; halved < 6; ++halved) {
+    tolerance.of_one_light *= 0.5F;
+    cut.find(scene.packet, tolerance);
+    CHECK(cut.greatest_variance() <= double(tolerance.of_one_light));
+    CHECK(cut.size() > before);
+    CHECK(cut.size() < 3 * before);
+    before = cut.size();
+  }
+}
+
+TEST_CASE("light cut: receivers count by their weight") {
+  const Scene scene(31, 2000);
+  zonal::BoundedReceiver<5, float> all[zonal::cut_receivers], weighted[zonal::cut_receivers];
+  for (std::size_t i = 0; i < zonal::cut_receivers; ++i) {
+    // Two that each stand for four, in place of four that are alike.
+    all[i] = zonal::bounded_receiver(scene.receivers[i / 4], scene.coefficients[i / 4]);
+    weighted[i] = zonal::weighted(all[i], i % 4 == 0 ? 4.0F : 0.0F);
+  }
+  Cut<3> a(scene.tree.tree()), b(scene.tree.tree());
+  a.find(zonal::as_packet(all), {0.05F}), b.find(zonal::as_packet(weighted), {0.05F});
+  CHECK(a.size() == b.size());
+  CHECK(a.variance() == Catch::Approx(b.variance()).epsilon(1e-5));
+  CHECK(a.power() == Catch::Approx(b.power()).epsilon(1e-5));
+}
+
 TEST_CASE("light cut: a tolerance of next to nothing takes every light, once") {
   const Scene scene(24, 500);
   Cut<3> cut(scene.tree.tree());
   zonal::CutTolerance tolerance;
   tolerance.relative = 1e-6F;
   cut.find(scene.packet, tolerance);
-  CHECK(cut.size() >= 450);  // those that send nothing may stay together
+  CHECK(cut.size() >= 440);  // those that send nothing may stay together
   std::vector<zonal::DrawnLights<3>> draws(1);
   scene.tree.draw(cut, scene.box, 1, draws);
   for (std::size_t i = 0; i < scene.receivers.size(); ++i) {
@@ -294,6 +329,54 @@ TEST_CASE("receiver groups: a floor stays whole, a wall and an object before it 
   std::vector<int> counts = groups();
   std::sort(counts.begin(), counts.end());
   CHECK(counts == std::vector<int>{9 * 32, 23 * 32});
+}
+
+TEST_CASE("receiver groups: no group holds normals that are turned far from one another") {
+  Random random(32);
+  for (int trial = 0; trial < 50; ++trial) {
+    std::vector<zonal::GroupedReceiver> receivers;
+    const int count = 1 + int(random() * 600);
+    for (int i = 0; i < count; ++i) receivers.push_back({random.direction(), random.direction(), i});
+    int seen = 0;
+    zonal::for_each_receiver_group(receivers.data(), count, [&](const zonal::GroupedReceiver* group, int size) {
+      zonal::Box3 normals;
+      for (int i = 0; i < size; ++i) normals.add(group[i].normal);
+      for (int c = 0; c < 3; ++c) REQUIRE(normals.high[c] - normals.low[c] <= 0.45F);
+      seen += size;
+    });
+    REQUIRE(seen == count);
+  }
+}
+
+TEST_CASE("receiver parts: the largest are halved where they lie widest apart, until there are eight") {
+  std::vector<zonal::GroupedReceiver> receivers;
+  for (int i = 0; i < 64; ++i) receivers.push_back({{float((i * 27) % 64), 0, 0}, {0, 0, 1}, i});
+  zonal::ReceiverParts<8> parts;
+  parts.add(64);
+  parts.halve_all(receivers.data(), 1);
+  REQUIRE(parts.parts == 8);
+  for (int part = 0; part < 8; ++part) {
+    REQUIRE(parts.size(part) == 8);
+    for (int i = parts.first[part]; i < parts.first[part + 1]; ++i) {
+      CHECK(int(receivers[std::size_t(i)].position.x) / 8 == part);
+    }
+  }
+  // By normals, where a turn by 1 rad is as wide as 100.
+  for (auto& receiver : receivers) receiver.normal.x = receiver.index < 32 ? -0.4F : 0.4F;
+  parts = {};
+  parts.add(64);
+  parts.halve_all(receivers.data(), 100);
+  for (int part = 0; part < 8; ++part) {
+    for (int i = parts.first[part]; i < parts.first[part + 1]; ++i) {
+      CHECK((receivers[std::size_t(i)].index < 32) == (part < 4));
+    }
+  }
+  // Of few, each by itself; parts that are there remain.
+  parts = {};
+  parts.add(1), parts.add(2);
+  parts.halve_all(receivers.data(), 1);
+  CHECK(parts.parts == 3);
+  CHECK(parts.size() == 3);
 }
 
 TEST_CASE("receiver box: dark lights send nothing, and the horizon takes nothing of clear ones") {

@@ -73,6 +73,22 @@ TEST_CASE("Each operation counts as its kind") {
   CHECK(c.total() == 13);
 }
 
+TEST_CASE("Additions count as fused with a product that nothing else needs, one product each") {
+  const auto fused = [](auto expression) {
+    Recording recording;
+    const auto [x, y, z] = inputs(recording);
+    return count(recording, expression(x, y, z)).fused;
+  };
+  using Outputs = std::vector<Recorder>;
+  CHECK(fused([](auto x, auto y, auto z) { return Outputs{x * y + z}; }) == 1);
+  CHECK(fused([](auto x, auto y, auto z) { return Outputs{z - x * y}; }) == 1);
+  CHECK(fused([](auto x, auto y, auto z) { return Outputs{x * y + y * z}; }) == 1);
+  CHECK(fused([](auto x, auto y, auto z) { return Outputs{x * y + z, x * y}; }) == 0);
+  CHECK(fused([](auto x, auto y, auto z) { return Outputs{x * y + z, x * y - z}; }) == 0);
+  CHECK(fused([](auto x, auto y, auto z) { return Outputs{(x + y) * z}; }) == 0);
+  CHECK(fused([](auto x, auto y, auto z) { return Outputs{-(x * y), x + z}; }) == 0);
+}
+
 TEST_CASE("evaluate<5> takes the operations that one counts by hand, and no more than asked for") {
   Recording recording;
   const auto y = zonal::evaluate<5>(inputs(recording));
@@ -83,6 +99,7 @@ TEST_CASE("evaluate<5> takes the operations that one counts by hand, and no more
   CHECK(all.divisions + all.functions + all.comparisons == 0);
   CHECK(all.multiplications == 1 + 11 + (7 + 4 + 2 + 1) + 20);
   CHECK(all.additions == 2 * 3 + (3 + 2 + 1));
+  CHECK(all.fused == all.additions - 1);  // all but x y + y x
 
   std::vector<Recorder> even, degree_2;
   for (int l = 0; l < 5; ++l) {

@@ -7,7 +7,7 @@ execute_process(COMMAND_ERROR_IS_FATAL ANY COMMAND ${nm} -C ${work_dir}/kernels.
 if(NOT symbols MATCHES "evaluate_with_hessian")
   message(FATAL_ERROR "the kernels are not there either:\n${symbols}")
 endif()
-string(REGEX MATCHALL "[^\n]*(constexpr_sqrt|ladder_root|factorial|cosine_integral|of_digit|BasisTable|HalfGaussRule|LegendreGrid|GauntTable<[^>]*>::GauntTable|RingTable<[^>]*>::RingTable)[^\n]*" found
+string(REGEX MATCHALL "[^\n]*(constexpr_sqrt|ladder_root|column_slope|factorial|cosine_integral|of_digit|BasisTable|HalfGaussRule|LegendreGrid|GauntTable<[^>]*>::GauntTable|RingTable<[^>]*>::RingTable)[^\n]*" found
   "${symbols}")
 if(found)
   message(FATAL_ERROR "computed at run time:\n${found}")

@@ -1,6 +1,7 @@
 // A kernel of every kind, to be compiled without optimisation: support/unoptimised.cmake.
 #include <array>
 
+#include <zonal/transform/reconstruct_adjoint.hpp>
 #include <zonal/zonal.hpp>
 
 using Direction = std::array<float, 3>;
@@ -15,6 +16,7 @@ float all(const Direction& d, const zonal::Sh<4, float>& sh, const zonal::Zh<4, 
          zonal::project<4>(zonal::SphericalGaussian<float>{d[0]})[1] + zonal::orient(zh, d)[1] +
          zonal::convolve(sh, zh)[1] + zonal::product(sh, sh)[1] + zonal::product(sh, zh)[1] +
          zonal::product(zonal::Sh<7, float>{}, zonal::Sh<7, float>{})[1] + zonal::reconstruct(sh, d) +
-         zonal::reconstruct_convolved(sh, zh, d) + zonal::apply_window(zh, zonal::Window::hann)[1] + zonal::exp(d[0]) +
-         zonal::acos(d[0]) + zonal::sin_cos(d[0]).sine + zonal::angle_from(d[0], d[1]);
+         zonal::reconstruct_with_adjoint(sh, d, d[0]).value + zonal::reconstruct_convolved(sh, zh, d) +
+         zonal::apply_window(zh, zonal::Window::hann)[1] + zonal::exp(d[0]) + zonal::acos(d[0]) +
+         zonal::sin_cos(d[0]).sine + zonal::angle_from(d[0], d[1]);
 }

@@ -2,8 +2,8 @@
 // allocated, no Eigen. Values at many directions: transform/reconstruct_batch.hpp.
 //
 // Where the results stand, with Size numbers a direction (N*N coefficients, or 4 N*N with gradients):
-//   CoefficientRows     direction by direction: number i of direction k at data[k * Size + i], as an array of Sh holds it
-//   CoefficientPlanes   number by number: number i of direction k at data[i * stride + k]
+//   CoefficientRows     direction by direction: number i of direction k at data[k * Size + i], as an array of Sh holds
+//   it CoefficientPlanes   number by number: number i of direction k at data[i * stride + k]
 //
 // Each lane is computed as the others are, so a direction's results do not depend on its place or on how many there
 // are, to the bit. Against evaluate() of that direction alone they differ by what fused multiplications round
@@ -74,29 +74,47 @@ inline bool is_past_caches(Stores stores, std::size_t bytes) {
   return stores == Stores::past_caches || (stores == Stores::by_size && bytes > cached_bytes);
 }
 
-// x, y and z of up to `width` directions; lanes beyond the last repeat it.
+// x, y and z of `width` directions from the first on.
 template <class T, int width>
-ZONAL_INLINE inline void load_directions(const DirectionSpan<T>& directions, std::size_t first, std::size_t lanes,
+ZONAL_INLINE inline void load_directions(const DirectionSpan<T>& directions, std::size_t first,
                                          Lanes<T, width> (&v)[3]) {
   const T* const components[] = {directions.x, directions.y, directions.z};
-  const bool is_whole = lanes == width;
-  if (is_whole && directions.stride == 1) {
+  if (directions.stride == 1) {
     for (int i = 0; i < 3; ++i) v[i] = Lanes<T, width>::load(components[i] + first);
     return;
   }
   if constexpr (std::is_same_v<T, float>) {
-    if (is_whole && directions.stride == 3 && directions.y == directions.x + 1 && directions.z == directions.x + 2) {
+    if (directions.stride == 3 && directions.y == directions.x + 1 && directions.z == directions.x + 2) {
       return load_triples(directions.x + 3 * first, v);
     }
   }
   for (int i = 0; i < 3; ++i) {
     alignas(Lanes<T, width>) T numbers[static_cast<std::size_t>(width)];
     for (std::size_t lane = 0; lane < std::size_t{width}; ++lane) {
-      numbers[lane] = components[i][(first + (lane < lanes ? lane : lanes - 1)) * directions.stride];
+      numbers[lane] = components[i][(first + lane) * directions.stride];
     }
     v[i] = Lanes<T, width>::load(numbers);
   }
 }
+
+// A copy of the directions from `first` on, as many as fill the lanes: those beyond the last repeat it.
+template <class T, int width>
+class FilledDirections {
+ public:
+  FilledDirections(const DirectionSpan<T>& directions, std::size_t first) {
+    const std::size_t last = directions.count - 1;
+    for (std::size_t lane = 0; lane < std::size_t{width}; ++lane) {
+      const std::size_t i = (first + lane < last ? first + lane : last) * directions.stride;
+      x_[lane] = directions.x[i];
+      y_[lane] = directions.y[i];
+      z_[lane] = directions.z[i];
+    }
+  }
+  DirectionSpan<T> span() const { return DirectionSpan<T>::planes(x_, y_, z_, width); }
+
+ private:
+  T x_[static_cast<std::size_t>(width)], y_[static_cast<std::size_t>(width)], z_[static_cast<std::size_t>(width)];
+};
 
 template <class T>
 bool are_unit(const DirectionSpan<T>& directions) {
@@ -117,6 +135,23 @@ ZONAL_INLINE inline void expect_stores([[maybe_unused]] const T* target, [[maybe
 }
 
 // kernel(v, sink) gives sink(Index<i>, lanes) for all i < Size, at the directions in the lanes of v[0], v[1], v[2].
+
+// Of `count` directions from `first` on, which fill whole registers, to rows.
+template <int Size, class T, class Kernel>
+void fill_rows(const DirectionSpan<T>& directions, std::size_t first, std::size_t count, T* rows, bool expects,
+               Kernel kernel) {
+  constexpr int width = native_lanes_v<T>;
+  constexpr std::size_t block = std::size_t{Size} * width;
+  alignas(cache_line) T columns[block];
+  for (std::size_t k = 0; k < count; k += width, rows += block) {
+    if (expects) expect_stores(rows, block);
+    Lanes<T, width> v[3];
+    load_directions(directions, first + k, v);
+    kernel(v, [&](auto i, const Lanes<T, width>& value) ZONAL_INLINE { value.store(columns + i * width); });
+    transpose<Size, width>(columns, rows);
+  }
+}
+
 template <int Size, class T, class Kernel>
 void run_batch(const DirectionSpan<T>& directions, const CoefficientRows<T>& rows, Stores stores, Kernel kernel) {
   constexpr int width = native_lanes_v<T>;
@@ -124,30 +159,47 @@ void run_batch(const DirectionSpan<T>& directions, const CoefficientRows<T>& row
   constexpr std::size_t blocks = 16 * 1024 / sizeof(T) / block + 1;  // that go past the caches together
   assert(are_unit(directions));
   const bool past_caches = is_past_caches(stores, directions.count * size * sizeof(T));
-  const std::size_t together = past_caches ? blocks * width : width;
+  const std::size_t whole = directions.count / width * width, rest = directions.count - whole;
 
-  alignas(cache_line) T columns[block], staged[blocks * block];
-  for (std::size_t begin = 0; begin < directions.count; begin += together) {
-    const std::size_t left = directions.count - begin, count = left < together ? left : together;
-    T* const target = rows.data + begin * size;
-    for (std::size_t first = 0; first < count; first += width) {
-      const std::size_t lanes = count - first < width ? count - first : width;
-      if (!past_caches && size * sizeof(T) % cache_line != 0) expect_stores(target, lanes * size);
-      Lanes<T, width> v[3];
-      load_directions(directions, begin + first, lanes, v);
-      kernel(v, [&](auto i, const Lanes<T, width>& value) ZONAL_INLINE { value.store(columns + i * width); });
-      transpose<Size, width>(columns, !past_caches && lanes == width ? target : staged + first * size);
+  alignas(cache_line) T staged[blocks * block];
+  if (!past_caches) {
+    fill_rows<Size>(directions, 0, whole, rows.data, size * sizeof(T) % cache_line != 0, kernel);
+  } else {
+    for (std::size_t begin = 0; begin < whole; begin += blocks * width) {
+      const std::size_t count = whole - begin < blocks * width ? whole - begin : blocks * width;
+      fill_rows<Size>(directions, begin, count, staged, false, kernel);
+      copy_past_caches(staged, count * size, rows.data + begin * size);
     }
-    if (past_caches) {
-      copy_past_caches(staged, count * size, target);
-    } else if (count < width) {
-      for (std::size_t i = 0; i < count * size; ++i) target[i] = staged[i];
-    }
+    finish_streams();
   }
-  if (past_caches) finish_streams();
+  if (rest > 0) {
+    fill_rows<Size>(FilledDirections<T, width>(directions, whole).span(), 0, width, staged, false, kernel);
+    copy(staged, rest * size, rows.data + whole * size);
+  }
 }
 
-// Many planes at once would be as many places in memory, each visited for a few lanes: so a run of each is staged.
+// The same to planes that begin `pitch` numbers apart.
+template <int Size, class T, class Kernel>
+void fill_planes(const DirectionSpan<T>& directions, std::size_t first, std::size_t count, T* planes, std::size_t pitch,
+                 Kernel kernel) {
+  constexpr int width = native_lanes_v<T>;
+  for (std::size_t k = 0; k < count; k += width) {
+    Lanes<T, width> v[3];
+    load_directions(directions, first + k, v);
+    kernel(v, [&](auto i, const Lanes<T, width>& value) ZONAL_INLINE { value.store(planes + i * pitch + k); });
+  }
+}
+
+// Whether a first-level cache holds a line of each plane, and some more: 8 lines at each of 64 places.
+inline bool fits_planes(std::size_t planes, std::size_t bytes_apart) {
+  constexpr std::size_t lines = 8, places = 64;
+  std::size_t taken = places;  // by planes so far apart
+  for (std::size_t period = cache_line; taken > 1 && bytes_apart % (2 * period) == 0; period *= 2) taken /= 2;
+  return 4 * planes <= 3 * lines * taken;
+}
+
+// Planes that do not fit, or go past the caches, are as many places in memory, each visited for a few lanes: so a run
+// of each is staged.
 template <int Size, class T, class Kernel>
 void run_batch(const DirectionSpan<T>& directions, const CoefficientPlanes<T>& planes, Stores stores, Kernel kernel) {
   constexpr int width = native_lanes_v<T>;
@@ -158,15 +210,20 @@ void run_batch(const DirectionSpan<T>& directions, const CoefficientPlanes<T>& p
   assert(are_unit(directions) && planes.stride >= directions.count);
   const bool past_caches = planes.stride % line == 0 && is_past_caches(stores, directions.count * size * sizeof(T));
 
+  std::size_t begin = 0;
+  if (!past_caches && fits_planes(size, planes.stride * sizeof(T))) {
+    begin = directions.count / width * width;
+    fill_planes<Size>(directions, 0, begin, planes.data, planes.stride, kernel);
+  }
   alignas(cache_line) T staged[size * pitch];
   // The first run ends where a line of the planes does.
-  std::size_t end = together - reinterpret_cast<std::uintptr_t>(planes.data) % cache_line / sizeof(T);
-  for (std::size_t begin = 0; begin < directions.count; begin = end, end += together) {
-    const std::size_t count = (end < directions.count ? end : directions.count) - begin;
-    for (std::size_t first = 0; first < count; first += width) {
-      Lanes<T, width> v[3];
-      load_directions(directions, begin + first, count - first < width ? count - first : width, v);
-      kernel(v, [&](auto i, const Lanes<T, width>& value) ZONAL_INLINE { value.store(staged + i * pitch + first); });
+  std::size_t end = begin + together - reinterpret_cast<std::uintptr_t>(planes.data + begin) % cache_line / sizeof(T);
+  for (; begin < directions.count; begin = end, end += together) {
+    const std::size_t count = (end < directions.count ? end : directions.count) - begin, whole = count / width * width;
+    fill_planes<Size>(directions, begin, whole, staged, pitch, kernel);
+    if (whole < count) {
+      const FilledDirections<T, width> last(directions, begin + whole);
+      fill_planes<Size>(last.span(), 0, width, staged + whole, pitch, kernel);
     }
     for (std::size_t i = 0; i < size; ++i) {
       T* const target = planes.data + i * planes.stride + begin;

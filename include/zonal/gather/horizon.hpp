@@ -26,10 +26,11 @@ template <class T>
 ZONAL_INLINE constexpr T horizon_smoothstep(const SphericalCap<T>& cap, const T& cos_angle) {
   // A point has no extent: it is above or below. The floor keeps 0/0 out and changes no sphere one can see.
   const T sine = maximum(cap.sin_angle, T(1e-18L));
+  if (!AnyLane<T>::of(abs(cos_angle) < sine)) return select(cos_angle < T(0), T(0), T(1));  // far the most lights
   const T inside = clamp(cos_angle, -sine, sine);
-  const T x = T(0.5L) + T(0.5L) * (asin(inside) / asin(sine));
-  const T smooth = x * x * (T(3) - (x + x));
-  return select(cos_angle <= -sine, T(0), select(sine <= cos_angle, T(1), smooth));
+  const T elevation = detail::arcsine(abs(inside)) / detail::arcsine(sine);  // of the half angle, 1 at most
+  const T x = T(0.5L) + T(0.5L) * select(inside < T(0), -elevation, elevation);
+  return x * x * (T(3) - T(2) * x);
 }
 
 /// H as the exact share of the cap's solid angle above the horizon, 0 to 1. [2] subtracts angles that are nearly equal

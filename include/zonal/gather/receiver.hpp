@@ -103,9 +103,10 @@ ReceiverFrame<T> frame_of(const Receiver& receiver) {
   return frame_of<T>(receiver, tangent_towards(receiver.normal, receiver.outgoing));
 }
 
-/// What one packet of lights contributes, less what the receiver does not see of it, added up.
-template <class Record, class T>
-glm::vec3 visible_sum(const Record& lights, const T (&radiance)[3], const Visibility& visible) {
+/// What one packet of all lights contributes, less what the receiver does not see of it, added up.
+template <class Lights, class T>
+glm::vec3 visible_sum(const Lights& all, int index, const T (&radiance)[3], const Visibility& visible) {
+  const auto lights = all.packet(index);
   glm::vec3 sum(0.0F);
   for (int lane = 0; lane < T::width; ++lane) {
     const glm::vec3 rgb(radiance[0][lane], radiance[1][lane], radiance[2][lane]);
@@ -123,11 +124,11 @@ ZONAL_INLINE inline glm::vec3 sum_packets(const Lights& lights, const Visibility
   Lanes sum[3] = {Lanes(0), Lanes(0), Lanes(0)};
   glm::vec3 total(0.0F);
   for (int i = 0; i < lights.packet_count(); ++i) {
-    const auto record = lights.packet(i);
     Lanes rgb[3];
-    radiance(record, rgb);
-    if (visible) {
-      total += visible_sum(record, rgb, visible);
+    radiance(lights.packet(i), rgb);
+    if (visible) {  // what is passed on would stand in memory all the time: a copy, and the packet once more
+      const Lanes unshadowed[3] = {rgb[0], rgb[1], rgb[2]};
+      total += visible_sum(lights, i, unshadowed, visible);
     } else {
       for (int c = 0; c < 3; ++c) sum[c] = sum[c] + rgb[c];
     }

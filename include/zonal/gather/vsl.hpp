@@ -72,16 +72,6 @@ void draw_vsl_samples(const Receiver& receiver, const Brdf& brdf, int samples, U
   }
 }
 
-/// Any lane set?
-template <class T>
-ZONAL_INLINE inline bool any(const mask_t<T>& mask) {
-  if constexpr (is_builtin_scalar_v<T>) {
-    return mask;
-  } else {
-    return select(mask, T(1), T(0)).sum() > 0;
-  }
-}
-
 /// The cap that a light covers, and how to weigh a direction in it.
 template <class T>
 struct VslCap {
@@ -138,7 +128,7 @@ ZONAL_INLINE inline void vsl_radiance(const LightRecord<T>& light, const Brdf& g
     const auto& sample = samples.by_brdf[k];
     const T w[3] = {T(sample.direction.x), T(sample.direction.y), T(sample.direction.z)};
     const mask_t<T> inside = cap.holds(w);
-    if (!detail::any<T>(inside)) continue;
+    if (!AnyLane<T>::of(inside)) continue;
     add(w, glm::vec<3, T>(sample.reflected), select(inside, cap.weight(T(sample.density)), T(0)));
   }
 

@@ -114,14 +114,12 @@ class HvlTree {
  private:
   int rank(int place) const { return ranks_.empty() ? place : ranks_[std::size_t(place)]; }
 
-  void prefetch([[maybe_unused]] int place) const {
-#if defined(__GNUC__)
+  void prefetch(int place) const {
     const int r = rank(place);
     if (r < 0) return;
     const auto* bytes = reinterpret_cast<const char*>(&isotropic_[std::size_t(r)]);
-    for (std::size_t i = 0; i < sizeof(Record); i += 64) __builtin_prefetch(bytes + i);
-    __builtin_prefetch(bytes + sizeof(Record) - 1);
-#endif
+    for (std::size_t i = 0; i < sizeof(Record); i += 64) detail::prefetch(bytes + i);
+    detail::prefetch(bytes + sizeof(Record) - 1);
   }
 
   LightTree<NE> tree_;

@@ -17,8 +17,8 @@
 namespace zonal {
 inline namespace ZONAL_TARGET {
 
-/// Receivers that a cut is made for: a packet of them. The bound is the mean over these: let them be drawn from all
-/// that use the cut, each as likely.
+/// Receivers that a cut is made for: a packet of them. The bound is the mean over these: let each stand for as many of
+/// all that use the cut, or be `weighted`.
 inline constexpr int cut_receivers = 8;
 
 template <int N>
@@ -35,6 +35,7 @@ CutReceivers<N> as_packet(const BoundedReceiver<N, float> (&receivers)[std::size
   }
   int field = 0;
   for_each_field(packet, [&](auto& lane) { lane = Packet<float, cut_receivers>::load(lanes[field++]); });
+  packet.is_zonal = std::all_of(receivers, receivers + cut_receivers, [](const auto& r) { return r.is_zonal; });
   return packet;
 }
 
@@ -54,10 +55,9 @@ inline double scatter(std::uint64_t a, std::uint64_t b) {
 struct CutTolerance {
   /// The root mean square error of all receivers, of the root mean square of their radiance: 0.01 is 1 %.
   float relative = 0.01F;
-  /// Of all receivers of all cuts: the mean square of the radiance over the mean of its root, RGB together, if they are
-  /// known. Dark places may then err by somewhat more and bright ones by less, as the root of their share of the light,
-  /// which costs least. 0: each cut errs alike.
-  float typical_radiance = 0;
+  /// If not 0, in place of that: the greatest mean square deviation, RGB added up, that the light drawn of any one
+  /// cluster may have. Where many cuts share a tolerance, the same number for all costs least.
+  float of_one_light = 0;
   /// Are lights hidden from receivers, which nothing is known of beforehand? Then a cluster may send anything between
   /// nothing and all, and the bound holds with visibility too.
   bool with_visibility = false;
@@ -83,21 +83,14 @@ class LightCut {
   int size() const { return size_of_whole_ + int(heap_.size()); }
   /// The mean over the receivers of the square of the deviation, at most, and of the radiance, about; RGB added up.
   double variance() const { return (std::max)(variance_, 0.0) / cut_receivers; }
-  /// How much more the variance is at one of the receivers than in the mean: where it is many times as much, eight do
-  /// not tell of the others, and the receivers had better be parted.
-  double unevenness() const {
-    Lanes sum(0);
-    for (const Entry& entry : heap_) sum = sum + clusters_[entry.kept].variance;
-    double greatest = 0;
-    for (int lane = 0; lane < cut_receivers; ++lane) greatest = (std::max)(greatest, double(sum[lane]));
-    const double mean = double(sum.sum()) / cut_receivers;
-    return mean > 0 ? greatest / mean : 1;
-  }
   double power() const {
     Lanes power(0);
     for (const Lanes& sum : radiance_sum_) power = power + sum * sum;
     return double(power.sum()) / cut_receivers;
   }
+
+  /// What the cluster that deviates most adds to the variance.
+  double greatest_variance() const { return heap_.empty() ? 0 : double(heap_.front().variance) / cut_receivers; }
 
   /// Draws one light for each cluster, `count` times: visit(draw, place, factor), where the light at that place of the
   /// tree's order counts `factor` times. Each draw alone is right in the mean over all seeds. Those of one seed are
@@ -110,7 +103,13 @@ class LightCut {
       }
     };
     for (const int node : whole_) visit_all(tree_->node(node));
-    for (const Entry& entry : heap_) {
+    constexpr std::size_t ahead = 8;
+    for (std::size_t i = 0; i < heap_.size(); ++i) {
+      const Entry& entry = heap_[i];
+      if (i + ahead < heap_.size()) {
+        const std::int32_t next = heap_[i + ahead].node;
+        tree_->prefetch_weights(tree_->node(next), detail::scatter(seed, std::uint64_t(next)), count);
+      }
       const LightNode<NE>& node = tree_->node(entry.node);
       const double weight = tree_->weight_before(node.last) - tree_->weight_before(node.first);
       if (node.size() == 1) visit_all(node);
@@ -141,10 +140,8 @@ class LightCut {
 
   bool is_fine(const CutTolerance& tolerance) const {
     if (unknown_ > 0) return false;
-    // sqrt(P) typical, over all receivers, adds up to the sum of P.
-    const double p = power(), typical = double(tolerance.typical_radiance);
-    const double share = typical > 0 ? std::sqrt(p) * typical : p;
-    return variance_ <= double(tolerance.relative) * double(tolerance.relative) * share * cut_receivers;
+    if (tolerance.of_one_light > 0) return greatest_variance() <= double(tolerance.of_one_light);
+    return variance() <= double(tolerance.relative) * double(tolerance.relative) * power();
   }
 
   void refine(const CutReceivers<N>& receivers, const CutTolerance& tolerance) {

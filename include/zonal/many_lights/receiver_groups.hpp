@@ -75,30 +75,43 @@ struct GroupedReceiver {
 
 namespace detail {
 
-/// Where the values of an axis leave a quarter of their range empty: the middle of the widest such gap.
-struct Gap {
+/// Where to split the values of an axis.
+struct Split {
   int axis = -1;
   float middle = 0;
 };
 
+struct Range {
+  float low, high;
+  float size() const { return high - low; }
+};
+template <class Key>
+Range range_of(const GroupedReceiver* receivers, int count, const Key& key) {
+  Range range{key(receivers[0]), key(receivers[0])};
+  for (int i = 1; i < count; ++i) {
+    range.low = (std::min)(range.low, key(receivers[i]));
+    range.high = (std::max)(range.high, key(receivers[i]));
+  }
+  return range;
+}
+
+/// Where they leave more than `widest` of 16 parts of their range empty: the middle of the widest such gap.
 template <class Key>
 void find_gap(const GroupedReceiver* receivers, int count, int axis, const Key& key, float least_range, int& widest,
-              Gap& gap) {
-  float low = key(receivers[0]), high = low;
-  for (int i = 1; i < count; ++i) {
-    low = (std::min)(low, key(receivers[i]));
-    high = (std::max)(high, key(receivers[i]));
-  }
-  if (!(high - low > least_range)) return;
+              Split& split) {
+  const Range range = range_of(receivers, count, key);
+  if (!(range.size() > least_range)) return;
   constexpr int bins = 16;
   bool is_taken[bins] = {};
-  const float scale = float(bins) / (high - low);
-  for (int i = 0; i < count; ++i) is_taken[(std::min)(int((key(receivers[i]) - low) * scale), bins - 1)] = true;
+  const float scale = float(bins) / range.size();
+  for (int i = 0; i < count; ++i) {
+    is_taken[(std::min)(int((key(receivers[i]) - range.low) * scale), bins - 1)] = true;
+  }
   for (int i = 0, last = 0; i < bins; ++i) {
     if (!is_taken[i]) continue;
     if (i - last - 1 > widest) {
       widest = i - last - 1;
-      gap = {axis, low + float(i + last + 1) / 2 / scale};
+      split = {axis, range.low + float(i + last + 1) / 2 / scale};
     }
     last = i;
   }
@@ -106,47 +119,78 @@ void find_gap(const GroupedReceiver* receivers, int count, int axis, const Key& 
 
 }  // namespace detail
 
-/// Moves one half of them in front of the other, along the axis on which they lie widest apart; returns how many.
-inline int halve_receivers(GroupedReceiver* receivers, int count) {
-  Box3 box;
-  for (int i = 0; i < count; ++i) box.add(receivers[i].position);
-  const glm::vec3 size = box.high - box.low;
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  const auto key = [axis](const GroupedReceiver& r) { return r.position[axis]; };
+/// Moves one half of them in front of the other, along the axis of position or normal on which they lie widest apart,
+/// where a turn by 1 rad is as wide as `length`; returns how many.
+inline int halve_receivers(GroupedReceiver* receivers, int count, float length) {
+  ReceiverBox box;
+  for (int i = 0; i < count; ++i) box.add(receivers[i].position, receivers[i].normal);
+  const glm::vec3 size = box.positions.high - box.positions.low;
+  const glm::vec3 turn = length * (box.normals.high - box.normals.low);
+  const float extent[6] = {size.x, size.y, size.z, turn.x, turn.y, turn.z};
+  const int axis = int(std::max_element(extent, extent + 6) - extent);
+  const auto key = [axis](const GroupedReceiver& r) { return axis < 3 ? r.position[axis] : r.normal[axis - 3]; };
   std::nth_element(receivers, receivers + count / 2, receivers + count,
                    [&](const GroupedReceiver& a, const GroupedReceiver& b) {
                      return key(a) < key(b) || (!(key(b) < key(a)) && a.index < b.index);
                    });
-  std::sort(receivers, receivers + count / 2, [](const auto& a, const auto& b) { return a.index < b.index; });
-  std::sort(receivers + count / 2, receivers + count, [](const auto& a, const auto& b) { return a.index < b.index; });
   return count / 2;
 }
 
-/// Splits receivers where their positions or normals leave a gap, as at an edge or before a background, and calls
-/// visit(first, count) for each group; the array is sorted by groups. What is curved or seen at a slant stays together.
+/// Receivers in parts of neighbours: part i are those from first[i] up to first[i + 1].
+template <int Parts>
+struct ReceiverParts {
+  int first[std::size_t{Parts} + 1] = {};
+  int parts = 0;
+
+  int size(int part) const { return first[part + 1] - first[part]; }
+  int size() const { return first[parts]; }
+  void add(int count) {
+    first[parts + 1] = first[parts] + count;
+    ++parts;
+  }
+
+  /// Halves the largest until there are as many as there may be, or each is of one.
+  void halve_all(GroupedReceiver* receivers, float length) {
+    while (parts > 0 && parts < Parts) {
+      int largest = 0;
+      for (int i = 1; i < parts; ++i) largest = size(i) > size(largest) ? i : largest;
+      if (size(largest) < 2) return;
+      const int middle = first[largest] + halve_receivers(receivers + first[largest], size(largest), length);
+      for (int i = parts; i > largest; --i) first[i + 1] = first[i];
+      first[largest + 1] = middle;
+      ++parts;
+    }
+  }
+};
+
+/// Splits receivers where their positions or normals leave a gap, as at an edge or before a background, or where they
+/// are turned far from one another, and calls visit(first, count) for each group; the array is sorted by groups. What
+/// is curved a little or seen at a slant stays together.
 template <class Visit>
 void for_each_receiver_group(GroupedReceiver* receivers, int count, const Visit& visit) {
-  constexpr int least_size = 16, least_gap = 3;  // of 16 bins
-  constexpr float least_turn = 0.1F;             // normals nearer than that are alike
-  detail::Gap gap;
+  constexpr int least_size = 16, least_gap = 3;          // of 16 bins
+  constexpr float least_turn = 0.1F, most_turn = 0.45F;  // of normals that are alike, and of those that are not
+  if (count == 0) return;
+  detail::Split split;
   int widest = least_gap;
-  if (count > least_size) {
-    for (int axis = 0; axis < 3; ++axis) {
-      detail::find_gap(
-          receivers, count, axis, [axis](const auto& r) { return r.position[axis]; }, 0.0F, widest, gap);
+  float farthest = most_turn;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto position = [axis](const GroupedReceiver& r) { return r.position[axis]; };
+    const auto normal = [axis](const GroupedReceiver& r) { return r.normal[axis]; };
+    if (count > least_size && farthest <= most_turn) {
+      detail::find_gap(receivers, count, axis, position, 0.0F, widest, split);
+      detail::find_gap(receivers, count, axis + 3, normal, least_turn, widest, split);
     }
-    for (int axis = 0; axis < 3; ++axis) {
-      detail::find_gap(
-          receivers, count, axis + 3, [axis](const auto& r) { return r.normal[axis]; }, least_turn, widest, gap);
+    const detail::Range turn = detail::range_of(receivers, count, normal);
+    if (turn.size() > farthest) {
+      farthest = turn.size();
+      split = {axis + 3, 0.5F * (turn.low + turn.high)};
     }
   }
-  if (gap.axis < 0) {
-    if (count > 0) visit(receivers, count);
-    return;
-  }
-  const int axis = gap.axis;
+  if (split.axis < 0) return visit(receivers, count);
+  const int axis = split.axis;
   GroupedReceiver* middle = std::stable_partition(receivers, receivers + count, [&](const GroupedReceiver& r) {
-    return (axis < 3 ? r.position[axis] : r.normal[axis - 3]) < gap.middle;
+    return (axis < 3 ? r.position[axis] : r.normal[axis - 3]) < split.middle;
   });
   const int first_count = int(middle - receivers);
   for_each_receiver_group(receivers, first_count, visit);

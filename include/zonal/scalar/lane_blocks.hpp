@@ -168,8 +168,10 @@ constexpr int widest_within(int width) {
 // overlap those before.
 template <int Size, int width, class T, int w = widest_within<Size>(native_lanes_v<T>)>
 ZONAL_INLINE inline void transpose(const T* columns, T* rows) {
-  constexpr int chunk = chunk_v<T>;
-  if constexpr (w < chunk || width % chunk != 0) {
+  constexpr int chunk = chunk_v<T>, native = native_lanes_v<T>;
+  if constexpr (Size == 1 && width == native) {
+    Lanes<T, native>::load(columns).store(rows);
+  } else if constexpr (w < chunk || width % chunk != 0) {
     for (int lane = 0; lane < width; ++lane) {
       for (int i = 0; i < Size; ++i) rows[lane * Size + i] = columns[i * width + lane];
     }

@@ -20,8 +20,8 @@ namespace detail {
 // asin(s) = sum of c_k s^(2k+1), c_0 = 1, c_k = c_(k-1) (2k-1)^2 / (2k (2k+1)); for |s| <= 1/2 a term is less than a
 // quarter of the one before.
 template <int k>
-inline constexpr long double arcsine_coefficient =
-    arcsine_coefficient<k - 1> * (2 * k - 1) * (2 * k - 1) / (2.0L * k * (2 * k + 1));
+inline constexpr long double arcsine_coefficient = arcsine_coefficient<k - 1>*(2 * k - 1) * (2 * k - 1) /
+                                                   (2.0L * k * (2 * k + 1));
 template <>
 inline constexpr long double arcsine_coefficient<0> = 1;
 
@@ -29,8 +29,7 @@ inline constexpr long double arcsine_coefficient<0> = 1;
 template <class T>
 inline constexpr lane_t<T> half_pi_high = static_cast<lane_t<T>>(kHalfPiDouble + kHalfPiRest);
 template <class T>
-inline constexpr long double half_pi_low =
-    (kHalfPiDouble - static_cast<long double>(half_pi_high<T>)) + kHalfPiRest;
+inline constexpr long double half_pi_low = (kHalfPiDouble - static_cast<long double>(half_pi_high<T>)) + kHalfPiRest;
 
 // 1 / k!, rounded once: k! is exact as far as it matters.
 constexpr long double factorial(int k) { return k < 2 ? 1 : k * factorial(k - 1); }
@@ -38,29 +37,33 @@ template <int k>
 inline constexpr long double inverse_factorial = 1 / factorial(k);
 }  // namespace detail
 
+namespace detail {
+// asin(x) for 0 <= x <= 1.
+template <class T>
+ZONAL_INLINE constexpr T arcsine(const T& x) {
+  // Beyond one half: asin(x) = pi/2 - 2 asin(sqrt((1 - x) / 2)), where (1 - x) / 2 is less than x^2.
+  const T half_rest = T(0.5L) - T(0.5L) * x, root = sqrt(half_rest);
+  const T s2 = minimum(half_rest, x * x), s = minimum(root, x);
+
+  // asin(s) = s + s tail, the large part last; pi/2 in two parts, for beyond one half its rounding would show.
+  constexpr int terms = digits_v<T> / 2 - 2;  // the first one left out is a tenth of an ulp
+  constexpr auto last = rounded<T>(arcsine_coefficient<terms - 1>);
+  T sum = T(last);
+  unroll<1, terms - 1>([&](auto k) ZONAL_INLINE {
+    constexpr auto coefficient = rounded<T>(arcsine_coefficient<terms - 1 - k>);
+    sum = sum * s2 + T(coefficient);
+  });
+  const T tail = s2 * sum, twice = s + s;
+  constexpr auto high = rounded<T>(static_cast<long double>(half_pi_high<T>));
+  constexpr auto low = rounded<T>(half_pi_low<T>);
+  return select(root < x, (T(high) - twice) - (twice * tail - T(low)), s + s * tail);
+}
+}  // namespace detail
+
 /// asin(x) in radians for -1 <= x <= 1. Greatest error 2 ulp of the result.
 template <class T>
 ZONAL_INLINE constexpr IfNotInteger<T, T> asin(const T& x) {
-  // Beyond one half: asin(|x|) = pi/2 - 2 asin(sqrt((1 - |x|) / 2)).
-  const T magnitude = abs(x);
-  const auto is_large = magnitude > T(0.5L);
-  const T half_rest = T(0.5L) * (T(1) - magnitude);
-  const T s2 = select(is_large, half_rest, magnitude * magnitude);
-  const T s = select(is_large, sqrt(half_rest), magnitude);
-
-  // asin(s) = s + tail, the large part last; pi/2 in two parts, for beyond one half its rounding would show.
-  constexpr int terms = digits_v<T> / 2 - 2;  // the first one left out is a tenth of an ulp
-  constexpr auto last = rounded<T>(detail::arcsine_coefficient<terms - 1>);
-  T sum = T(last);
-  unroll<1, terms - 1>([&](auto k) ZONAL_INLINE {
-    constexpr auto coefficient = rounded<T>(detail::arcsine_coefficient<terms - 1 - k>);
-    sum = sum * s2 + T(coefficient);
-  });
-  const T tail = s * (s2 * sum);
-  constexpr auto high = rounded<T>(static_cast<long double>(detail::half_pi_high<T>));
-  constexpr auto low = rounded<T>(detail::half_pi_low<T>);
-  const T large = (T(high) - (s + s)) - (tail + tail - T(low));
-  const T result = select(is_large, large, s + tail);
+  const T result = detail::arcsine(abs(x));
   return select(x < T(0), -result, result);
 }
 

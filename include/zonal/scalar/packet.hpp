@@ -320,6 +320,13 @@ struct ScalarTraits<Packet<T, W>> {
   using Lane = T;
 };
 
+template <class T, int W>
+struct AnyLane<Packet<T, W>> {
+  ZONAL_INLINE static bool of(const mask_t<Packet<T, W>>& mask) {
+    return select(mask, Packet<T, W>(1), Packet<T, W>(0)).sum() > 0;
+  }
+};
+
 }  // namespace ZONAL_TARGET
 }  // namespace zonal
 

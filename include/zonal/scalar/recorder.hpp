@@ -9,7 +9,9 @@
 // written again. What the asked-for outputs do not need does not count.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <string>
 #include <tuple>
@@ -71,6 +73,7 @@ struct OperationCount {
   int divisions = 0;        // /
   int functions = 0;        // sqrt
   int comparisons = 0;      // < <= min max abs select
+  int fused = 0;            // of the additions and of the multiplications: pairs that can be done as one multiply-add
   int total() const { return additions + multiplications + divisions + functions + comparisons; }
 };
 
@@ -122,6 +125,7 @@ class Recording {
   OperationCount count(Iterator first, Iterator last) const {
     const std::vector<bool> live = needed(first, last);
     OperationCount count;
+    count.fused = fused(live, first, last);
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       if (!live[i]) continue;
       switch (lines_[i].operation) {
@@ -155,6 +159,30 @@ class Recording {
   }
 
  private:
+  // The additions of a product that nothing else needs.
+  template <class Iterator>
+  int fused(const std::vector<bool>& live, Iterator first, Iterator last) const {
+    std::vector<int> uses(lines_.size(), 0);
+    const auto use = [&](int line) {
+      if (line >= 0) ++uses[static_cast<std::size_t>(line)];
+    };
+    for (; first != last; ++first) use(first->line());
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      if (live[i]) std::for_each(std::begin(lines_[i].operands), std::end(lines_[i].operands), use);
+    }
+    const auto is_product = [&](int line) {
+      const auto i = static_cast<std::size_t>(line);
+      return lines_[i].operation == Operation::multiply && uses[i] == 1;
+    };
+    int count = 0;
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      const auto& [operation, operands, constant, name] = lines_[i];
+      const bool is_sum = operation == Operation::add || operation == Operation::subtract;
+      if (live[i] && is_sum && (is_product(operands[0]) || is_product(operands[1]))) ++count;
+    }
+    return count;
+  }
+
   int line_of(const Recorder& r) {
     if (!r.is_constant()) return r.line();
     const int none[3] = {-1, -1, -1};

@@ -67,6 +67,18 @@ constexpr constant_t<T> rounded(long double constant) {
 template <class T>
 using mask_t = std::decay_t<decltype(std::declval<T>() < std::declval<T>())>;
 
+/// Whether any lane is set, for work that may be left out; true of a scalar that does not tell, such as a recording.
+template <class T>
+struct AnyLane {
+  ZONAL_INLINE static constexpr bool of(const mask_t<T>& mask) {
+    if constexpr (is_builtin_scalar_v<T>) {
+      return mask;
+    } else {
+      return static_cast<void>(mask), true;
+    }
+  }
+};
+
 namespace detail {
 template <class V, class C = decltype(std::declval<const V&>()[0])>
 std::decay_t<C> component_of(int);

@@ -49,7 +49,7 @@ template <class T>
 struct UnitVector3 {
   T x, y, z, inverse_length;
 
-  ZONAL_INLINE constexpr UnitVector3(const T& vx, const T& vy, const T& vz)
+  ZONAL_DEVICE ZONAL_INLINE constexpr UnitVector3(const T& vx, const T& vy, const T& vz)
       : x(vx), y(vy), z(vz), inverse_length(T(1) / sqrt(T(vx * vx + vy * vy + vz * vz))) {
     x = x * inverse_length, y = y * inverse_length, z = z * inverse_length;
   }

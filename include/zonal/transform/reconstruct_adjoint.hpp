@@ -39,7 +39,7 @@ struct BasisFactors {
   EvenSh<N, T> q;      // q_l^m
   T c[size], s[size];  // Re and Im of (x + iy)^m
 
-  ZONAL_INLINE constexpr BasisFactors(const T& x, const T& y, const T& z) {
+  ZONAL_DEVICE ZONAL_INLINE constexpr BasisFactors(const T& x, const T& y, const T& z) {
     const T z2 = z * z;
     c[0] = T(1), s[0] = T(0);
     if constexpr (N > 1) c[1] = x, s[1] = y;
@@ -75,7 +75,7 @@ struct ColumnSums {
   T c, s;
 
   template <class Factor>
-  ZONAL_INLINE constexpr ColumnSums(const Sh<N, T>& a, Factor factor) {
+  ZONAL_DEVICE ZONAL_INLINE constexpr ColumnSums(const Sh<N, T>& a, Factor factor) {
     unroll<first, N>([&](auto l) ZONAL_INLINE {
       const T by = factor(l);
       const T &a_c = a.values[sh_index(l, m)], &a_s = a.values[sh_index(l, -m)];
@@ -90,7 +90,8 @@ struct ColumnSums {
 
 // The gradient of the sum of a_i Y_i at a unit vector, but for a part along it. a_0 is not read.
 template <int N, class T>
-ZONAL_INLINE constexpr void gradient_of_sum(const BasisFactors<N, T>& at, const Sh<N, T>& a, T (&gradient)[3]) {
+ZONAL_DEVICE ZONAL_INLINE constexpr void gradient_of_sum(const BasisFactors<N, T>& at, const Sh<N, T>& a,
+                                                         T (&gradient)[3]) {
   for (T& component : gradient) component = T(0);
   unroll<0, N>([&](auto m) ZONAL_INLINE {
     if constexpr (m + 1 < N) {
@@ -151,10 +152,10 @@ ZONAL_INLINE constexpr T adjoint_of_rule(const T& sum, const T& by_value) {
 // The kernel, of any number of channels: reads coefficient(Index<i>, Index<channel>), and hands over the derivatives by
 // them, by_coefficient(Index<i>, Index<channel>, value).
 template <int N, ColourRule rule, int channels, class T, class Coefficient, class Sink>
-ZONAL_INLINE constexpr void reconstruct_with_adjoint(const T (&direction)[3], Coefficient&& coefficient,
-                                                     const T (&by_value)[std::size_t{channels}],
-                                                     T (&value)[std::size_t{channels}], T (&by_direction)[3],
-                                                     Sink&& by_coefficient) {
+ZONAL_DEVICE ZONAL_INLINE constexpr void reconstruct_with_adjoint(const T (&direction)[3], Coefficient&& coefficient,
+                                                                  const T (&by_value)[std::size_t{channels}],
+                                                                  T (&value)[std::size_t{channels}],
+                                                                  T (&by_direction)[3], Sink&& by_coefficient) {
   static_assert(N >= 1, "bands out of range: N >= 1");
   const UnitVector3<T> unit(direction[0], direction[1], direction[2]);
   const BasisFactors<N, T> factors(unit.x, unit.y, unit.z);
@@ -193,7 +194,7 @@ ZONAL_INLINE constexpr void reconstruct_with_adjoint(const T (&direction)[3], Co
 /// The function's value in a direction of any length, from a camera to a splat, say: 1e-18 to 1e18 in float, for the
 /// sake of its square. One of length 0 gives NaN. C is a number or a colour with c[i].
 template <ColourRule rule = ColourRule::plain, int N, class C, class Direction>
-constexpr C reconstruct_along(const Sh<N, C>& sh, const Direction& direction) {
+ZONAL_DEVICE constexpr C reconstruct_along(const Sh<N, C>& sh, const Direction& direction) {
   using T = component_t<Direction>;
   const auto v = detail::as_direction<T>(direction);
   C value = reconstruct(sh, detail::UnitVector3<T>(v.x, v.y, v.z));
@@ -217,9 +218,8 @@ struct ReconstructionAdjoint {
 /// number, or a colour that is an array of numbers in memory, with c[i]: glm::vec3, Eigen::Vector3f, a struct of three
 /// floats. Any scalar, packets too.
 template <ColourRule rule = ColourRule::plain, int N, class C, class Direction>
-constexpr ReconstructionAdjoint<N, C, component_t<Direction>> reconstruct_with_adjoint(const Sh<N, C>& sh,
-                                                                                       const Direction& direction,
-                                                                                       const C& by_value) {
+ZONAL_DEVICE constexpr ReconstructionAdjoint<N, C, component_t<Direction>> reconstruct_with_adjoint(
+    const Sh<N, C>& sh, const Direction& direction, const C& by_value) {
   using T = component_t<Direction>;
   static_assert(sizeof(C) % sizeof(T) == 0 && std::is_same_v<detail::number_t<C>, T>, "a T, or some of them");
   constexpr int channels = detail::channels_v<C>;

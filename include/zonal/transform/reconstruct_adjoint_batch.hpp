@@ -119,7 +119,12 @@ class TripleLanes {
   using P = Packet<float, kNativeLanes>;
 
   TripleLanes(const float* triples, std::size_t lanes) {
-    load_directions(DirectionSpan<float>::triples(triples, lanes), 0, lanes, lanes_);
+    const auto span = DirectionSpan<float>::triples(triples, lanes);
+    if (lanes == kNativeLanes) {
+      load_directions(span, 0, lanes_);
+    } else {
+      load_directions(FilledDirections<float, kNativeLanes>(span, 0).span(), 0, lanes_);
+    }
   }
   explicit TripleLanes(const P (&packets)[3]) {
     for (int k = 0; k < 3; ++k) lanes_[k] = packets[k].lanes.values[0];

@@ -28,7 +28,8 @@ ZONAL_INLINE constexpr T window_factor(Window window, int degree, const T& width
 
 template <class Width, std::enable_if_t<std::is_integral_v<Width>, int> = 0>
 constexpr double window_factor(Window window, int degree, Width width) {
-  return window_factor<double>(window, degree, static_cast<double>(width));
+  using T = std::conditional_t<std::is_integral_v<Width>, double, Width>;  // or it would be compiled with the header
+  return window_factor<T>(window, degree, static_cast<T>(width));
 }
 
 namespace detail {

@@ -158,7 +158,7 @@ std::string explanation(const Report& report) {
       {"error, measured", "0", plan.checked > 0 ? percent(plan.measured_error()) : "-"},
   };
   std::string text = "\n" + align(materials) + "\n" + align(rows);
-  text += format("%zu groups of hits, on one surface each. ", plan.groups);
+  text += format("%zu groups of hits, each of one surface or of a few small ones. ", plan.groups);
   text += "Of each cluster of a cut one light is drawn, in proportion to what its lights send at most.\n";
   if (options.centre_visibility) text += "The bound holds whichever lights are hidden.\n";
   return text;

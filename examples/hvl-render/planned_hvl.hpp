@@ -57,8 +57,7 @@ class PlannedHvl final : public PlannedGatherer {
 
   PlanFigures figures() const override { return figures_; }
   LightBytes bytes() const override {
-    const auto full =
-        static_cast<std::size_t>(zonal::EvenEmission::size(input_.options.emission_bands)) * 3 + 10;  // numbers
+    const auto full = static_cast<std::size_t>(zonal::hvl_record_size(input_.options.emission_bands));  // numbers
     return {tree_.bytes(), static_cast<std::size_t>(tree_.size()) * full * sizeof(float)};
   }
 

@@ -2,8 +2,8 @@
 // allocated, no Eigen. Values at many directions: transform/reconstruct_batch.hpp.
 //
 // Where the results stand, with Size numbers a direction (N*N coefficients, or 4 N*N with gradients):
-//   CoefficientRows     direction by direction: number i of direction k at data[k * Size + i], as an array of Sh holds
-//   it CoefficientPlanes   number by number: number i of direction k at data[i * stride + k]
+//   CoefficientRows     direction by direction, as an array of Sh: number i of direction k at data[k * Size + i]
+//   CoefficientPlanes   number by number: number i of direction k at data[i * stride + k]
 //
 // Each lane is computed as the others are, so a direction's results do not depend on its place or on how many there
 // are, to the bit. Against evaluate() of that direction alone they differ by what fused multiplications round

@@ -127,6 +127,14 @@ struct HvlRecord {
   }
 };
 
+/// Numbers of a record, by its bands of emission.
+template <class Emission = EvenEmission>
+constexpr int hvl_record_size(int emission_bands) {
+  return 10 + 3 * Emission::size(emission_bands);
+}
+static_assert(hvl_record_size(1) == field_count<HvlRecord<1, float>> &&
+              hvl_record_size(3) == field_count<HvlRecord<3, float>>);
+
 /// The same light with the coefficients of m < 0, which are zero.
 template <int NE, class T>
 ZONAL_INLINE inline HvlRecord<NE, T, AnyEmission> without_symmetry(const HvlRecord<NE, T, EvenEmission>& light) {
@@ -298,10 +306,9 @@ class HvlCache {
     records_.append(record<EvenEmission>(light, tangent, light.material->template without_cosine<NE>(cos_primary)));
   }
   void append_anisotropic(const VirtualLight& light) {
-    const glm::vec3 own = detail::tangent_towards(light.normal, light.tangent);
-    const glm::vec3 primary = detail::in_frame(light.to_primary, light.normal, own);
-    const glm::vec3 tangent = detail::turned_tangent(primary, light.normal, own);
-    anisotropic_.append(record<AnyEmission>(light, tangent, light.anisotropic->template without_cosine<NE>(primary)));
+    const detail::AnisotropicView primary(light.to_primary, light.normal, light.tangent);
+    anisotropic_.append(
+        record<AnyEmission>(light, primary.tangent, light.anisotropic->template without_cosine<NE>(primary.direction)));
   }
 
   template <class Emission, class Coefficients>
@@ -410,10 +417,9 @@ template <int N, int NE, Horizon method = Horizon::smoothstep>
 glm::vec3 gather(const HvlCache<NE>& cache, const Receiver& receiver, const AnisotropicTable& material,
                  const Visibility& visible = {}) {
   using Lanes = typename HvlCache<NE>::Lanes;
-  const glm::vec3 own = detail::tangent_towards(receiver.normal, receiver.tangent);
-  const glm::vec3 outgoing = detail::in_frame(receiver.outgoing, receiver.normal, own);
-  const auto frame = detail::frame_of<Lanes>(receiver, detail::turned_tangent(outgoing, receiver.normal, own));
-  const Sh<N, glm::vec3> coefficients = material.with_cosine<N>(outgoing);
+  const detail::AnisotropicView eye(receiver.outgoing, receiver.normal, receiver.tangent);
+  const auto frame = detail::frame_of<Lanes>(receiver, eye.tangent);
+  const Sh<N, glm::vec3> coefficients = material.with_cosine<N>(eye.direction);
   return (glm::max)(detail::gather_from<N, NE, method>(cache.all_lights(), frame, coefficients, visible), glm::vec3(0));
 }
 

@@ -85,6 +85,18 @@ inline glm::vec3 turned_tangent(const glm::vec3& fixed, const glm::vec3& normal,
   return std::cos(azimuth) * tangent + std::sin(azimuth) * glm::cross(normal, tangent);
 }
 
+/// How a surface with a tangent of its own, as anisotropic ones have, sees a direction v of world space: in the frame
+/// of that tangent; and the tangent of the frame in which v has phi = 0.
+struct AnisotropicView {
+  glm::vec3 direction, tangent;
+
+  AnisotropicView(const glm::vec3& v, const glm::vec3& normal, const glm::vec3& surface_tangent) {
+    const glm::vec3 own = tangent_towards(normal, surface_tangent);
+    direction = in_frame(v, normal, own);
+    tangent = turned_tangent(direction, normal, own);
+  }
+};
+
 /// The receiver's frame of that tangent, the same in all lanes.
 template <class T>
 ReceiverFrame<T> frame_of(const Receiver& receiver, const glm::vec3& tangent) {

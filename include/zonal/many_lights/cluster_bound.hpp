@@ -91,10 +91,8 @@ BoundedReceiver<N, float> bounded_receiver(const Receiver& receiver, const Zh<N,
 /// The same of an anisotropic material, in the frame of the receiver's tangent.
 template <int N>
 BoundedReceiver<N, float> bounded_receiver(const Receiver& receiver, const AnisotropicTable& material) {
-  const glm::vec3 own = detail::tangent_towards(receiver.normal, receiver.tangent);
-  const glm::vec3 outgoing = detail::in_frame(receiver.outgoing, receiver.normal, own);
-  return bounded_receiver(receiver, detail::turned_tangent(outgoing, receiver.normal, own),
-                          material.with_cosine<N>(outgoing));
+  const detail::AnisotropicView eye(receiver.outgoing, receiver.normal, receiver.tangent);
+  return bounded_receiver(receiver, eye.tangent, material.with_cosine<N>(eye.direction));
 }
 
 /// The same for all positions of a box, by its middle, and all frames turned from its own by `tilt` at most.
@@ -142,6 +140,7 @@ ZONAL_INLINE inline T reach_along(const T (&reach)[3], const T (&v)[3]) {
 template <class T>
 struct ClusterView {
   T direction[3], distance;         // of the mean position, from the middle
+  T inverse;                        // of that distance
   T reach, own_reach;               // of the cluster, and of the receivers
   T least_distance, inverse_least;  // to the mean position
   T inverse_nearest;                // to any light
@@ -160,8 +159,8 @@ ZONAL_INLINE inline ClusterView<T> view_cluster(const LightNode<NE>& node, const
   ClusterView<T> view;
   for (int i = 0; i < 3; ++i) view.direction[i] = T(node.position[i]) - receiver.position[i];
   view.distance = sqrt(maximum(dot3(view.direction, view.direction), T(1e-30L)));
-  const T inverse = T(1) / view.distance;
-  for (T& x : view.direction) x = x * inverse;
+  view.inverse = T(1) / view.distance;
+  for (T& x : view.direction) x = x * view.inverse;
   view.reach = T(glm::length(node.reach));
   view.own_reach = sqrt(dot3(receiver.reach, receiver.reach));
   const T quarter = T(0.25L) * view.distance;
@@ -169,7 +168,7 @@ ZONAL_INLINE inline ClusterView<T> view_cluster(const LightNode<NE>& node, const
   view.inverse_least = T(1) / view.least_distance;
   view.inverse_nearest = T(1) / maximum(view.least_distance - view.reach, quarter);
   view.turn = angle_of_sine(view.reach * view.inverse_least);
-  view.own_turn = angle_of_sine(view.own_reach * inverse);
+  view.own_turn = angle_of_sine(view.own_reach * view.inverse);
   const float* s = node.covariance;
   const T variance(s[0] + s[3] + s[5]), along2 = maximum(variance_along(node.covariance, view.direction), T(0));
   view.spread = sqrt(variance);
@@ -314,8 +313,7 @@ ZONAL_INLINE inline ClusterBound<T> bound_cluster(const LightNode<NE>& node, con
     const T e_greatest = most_e + T(node.emission_reach) + e_slope * view.turn;
     const T e_spread = T(node.emission_spread[c]) + e_slope * view.across;
     const T deviation = (p_spread * cosine.greatest + p * cosine.spread) * e_greatest + p * cosine.most * e_spread;
-    const T inverse = T(1) / view.distance;
-    bound.radiance[c] = T(node.weight) * (share * reflected[c]) * (inverse * inverse * cosine.mean * e);
+    bound.radiance[c] = T(node.weight) * (share * reflected[c]) * (view.inverse * view.inverse * cosine.mean * e);
     bound.deviation[c] = select(is_dark, T(0), select(is_near, unknown, T(node.weight) * deviation));
   }
   return bound;

@@ -65,10 +65,9 @@ template <int N, int NE, Horizon method = Horizon::smoothstep>
 glm::vec3 gather(const DrawnLights<NE>& lights, const Receiver& receiver, const AnisotropicTable& material,
                  const Visibility& visible = {}) {
   using Lanes = typename HvlCache<NE>::Lanes;
-  const glm::vec3 own = detail::tangent_towards(receiver.normal, receiver.tangent);
-  const glm::vec3 outgoing = detail::in_frame(receiver.outgoing, receiver.normal, own);
-  const auto frame = detail::frame_of<Lanes>(receiver, detail::turned_tangent(outgoing, receiver.normal, own));
-  const Sh<N, glm::vec3> coefficients = material.with_cosine<N>(outgoing);
+  const detail::AnisotropicView eye(receiver.outgoing, receiver.normal, receiver.tangent);
+  const auto frame = detail::frame_of<Lanes>(receiver, eye.tangent);
+  const Sh<N, glm::vec3> coefficients = material.with_cosine<N>(eye.direction);
   const auto part = [&](const HvlCache<NE>& cache) {
     return detail::gather_from<N, NE, method>(cache.all_lights(), frame, coefficients, visible);
   };

@@ -19,21 +19,11 @@
 #include <glm/vec3.hpp>
 
 #include "../scalar/for_each.hpp"
+#include "../scalar/prefetch.hpp"
 #include "degree_norms.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
-
-namespace detail {
-
-/// Asks for memory that will be read soon.
-inline void prefetch([[maybe_unused]] const void* memory) {
-#if defined(__GNUC__)
-  __builtin_prefetch(memory);
-#endif
-}
-
-}  // namespace detail
 
 /// A light as the tree sees it: a sphere at a point of a surface; or of no surface, with a normal of 0, which sends as
 /// much to every side. `emission` is the intensity by direction in world space, RGB, without the cosine at the light:

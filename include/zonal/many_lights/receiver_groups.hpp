@@ -97,10 +97,8 @@ Range range_of(const GroupedReceiver* receivers, int count, const Key& key) {
 
 /// Where they leave more than `widest` of 16 parts of their range empty: the middle of the widest such gap.
 template <class Key>
-void find_gap(const GroupedReceiver* receivers, int count, int axis, const Key& key, float least_range, int& widest,
+void find_gap(const GroupedReceiver* receivers, int count, int axis, const Key& key, const Range& range, int& widest,
               Split& split) {
-  const Range range = range_of(receivers, count, key);
-  if (!(range.size() > least_range)) return;
   constexpr int bins = 16;
   bool is_taken[bins] = {};
   const float scale = float(bins) / range.size();
@@ -177,11 +175,12 @@ void for_each_receiver_group(GroupedReceiver* receivers, int count, const Visit&
   for (int axis = 0; axis < 3; ++axis) {
     const auto position = [axis](const GroupedReceiver& r) { return r.position[axis]; };
     const auto normal = [axis](const GroupedReceiver& r) { return r.normal[axis]; };
-    if (count > least_size && farthest <= most_turn) {
-      detail::find_gap(receivers, count, axis, position, 0.0F, widest, split);
-      detail::find_gap(receivers, count, axis + 3, normal, least_turn, widest, split);
-    }
     const detail::Range turn = detail::range_of(receivers, count, normal);
+    if (count > least_size && farthest <= most_turn) {
+      const detail::Range places = detail::range_of(receivers, count, position);
+      if (places.size() > 0) detail::find_gap(receivers, count, axis, position, places, widest, split);
+      if (turn.size() > least_turn) detail::find_gap(receivers, count, axis + 3, normal, turn, widest, split);
+    }
     if (turn.size() > farthest) {
       farthest = turn.size();
       split = {axis + 3, 0.5F * (turn.low + turn.high)};

@@ -182,7 +182,7 @@ $LOOPS  return max(sum, vec3(0.0f));
                         "and tangent."},
        {"$TANGENT", is_zonal ? "" : "$vec3 tangent, "},
        {"$OF", is_zonal ? "" : "tangent, "},
-       {"$FIELDS", std::to_string(10 + 3 * emission_size)},
+       {"$FIELDS", std::to_string(hvl_record_size(gather.emission_bands))},
        {"$SIZE", std::to_string(emission_size)},
        {"$EMISSION", load_light(emission_size)},
        {"$MATERIAL", std::to_string(gather.material_size(bands))},

@@ -11,6 +11,7 @@
 #include "../basis/batch.hpp"
 #include "../scalar/half_lanes.hpp"
 #include "../scalar/packet.hpp"
+#include "../scalar/prefetch.hpp"
 #include "reconstruct_adjoint.hpp"
 
 namespace zonal {
@@ -107,10 +108,8 @@ class RowBlock {
 // The cache line of numbers[i], if it begins there, will soon be read. The processor by itself sees that too late: what
 // is computed on a block takes as long as memory does to bring the next one.
 template <std::size_t i, class Number>
-ZONAL_INLINE inline void expect_line([[maybe_unused]] const Number* numbers) {
-#if defined(__GNUC__)
-  if constexpr (i * sizeof(Number) % cache_line == 0) __builtin_prefetch(numbers + i);
-#endif
+ZONAL_INLINE inline void expect_line(const Number* numbers) {
+  if constexpr (i * sizeof(Number) % cache_line == 0) prefetch(numbers + i);
 }
 
 // Three numbers each.

@@ -48,6 +48,7 @@ struct Wall {
 void count_items(benchmark::State& state, int items) {
   state.counters[time_counter] =
       benchmark::Counter(double(items), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters[lanes_counter] = 1;
 }
 
 void run_build(benchmark::State& state, int count) {

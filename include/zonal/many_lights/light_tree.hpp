@@ -58,7 +58,7 @@ struct LightNode {
   int size() const { return last - first; }
 };
 
-/// Nodes stand level by level, the root first. 128 bytes a node with one band of emission, 224 with three; half as many
+/// Nodes stand level by level, the root first. 132 bytes a node with one band of emission, 228 with three; half as many
 /// nodes as lights, or twice as many where lights are few.
 template <int NE>
 class LightTree {

@@ -69,7 +69,7 @@ void run_update(benchmark::State& state, int count, int moved) {
   for (auto _ : state) {
     for (const int i : changed) {
       wall.lights[std::size_t(i)].position.x += step;
-      cache.replace(i, wall.lights[std::size_t(i)]);
+      if (!cache.replace(i, wall.lights[std::size_t(i)])) state.SkipWithError("no such light");
     }
     tree.update(cache, changed);
     step = -step;

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 #include <vector>
 
 #include "../catch.hpp"
@@ -311,12 +310,12 @@ TEST_CASE("light tree: lights that moved, in their cache and the tree, are gathe
   std::vector<int> changed;
   for (int i = 0; i < 500; i += 7) {
     lights[std::size_t(i)] = others[std::size_t(i)];
-    cache.replace(i, lights[std::size_t(i)]);
+    REQUIRE(cache.replace(i, lights[std::size_t(i)]));
     changed.push_back(i);
   }
   zonal::VirtualLight black = lights[14];
   black.flux = glm::vec3(0);
-  cache.replace(14, black);
+  REQUIRE(cache.replace(14, black));
   tree.update(cache, changed);
   lights[14].flux = glm::vec3(1e-30F);  // a fresh cache would leave a black one out, and number the others anew
   const zonal::HvlCache<3> fresh(lights);
@@ -337,9 +336,9 @@ TEST_CASE("light tree: lights that moved, in their cache and the tree, are gathe
   zonal::VirtualLight other_kind = lights[0];
   const zonal::AnisotropicTable anisotropic(zonal::matte({0.8F, 0.4F, 0.2F}), 3);
   other_kind.anisotropic = &anisotropic;
-  CHECK_THROWS_AS(cache.replace(0, other_kind), std::invalid_argument);
-  CHECK_THROWS_AS(cache.replace(-1, lights[0]), std::invalid_argument);
-  CHECK_THROWS_AS(cache.replace(500, lights[0]), std::invalid_argument);
+  CHECK(!cache.replace(0, other_kind));
+  CHECK(!cache.replace(-1, lights[0]));
+  CHECK(!cache.replace(500, lights[0]));
 }
 
 TEST_CASE("receiver groups: a floor stays whole, a wall and an object before it do not") {

@@ -32,7 +32,6 @@
 #include "../material/anisotropic_rows.hpp"
 #include "../material/material_rows.hpp"
 #include "../scalar/packet.hpp"
-#include "../scalar/refuse.hpp"
 #include "../scalar/vector3.hpp"
 #include "../transform/orient.hpp"
 #include "horizon.hpp"
@@ -272,20 +271,19 @@ class HvlCache {
   void append(const HvlRecord<NE, float, AnyEmission>& light) { anisotropic_.append(light); }
 
   /// Another light in place of one; `index` counts the lights that shine, those of isotropic materials first. One that
-  /// does not shine leaves the old one's place black. Throws std::invalid_argument where there is no such light, or one
-  /// material is anisotropic and the other is not.
-  void replace(int index, const VirtualLight& light) {
-    if (index < 0 || size() <= index) detail::refuse("no virtual light of this number");
+  /// does not shine leaves the old one's place black. False, and nothing is changed, where there is no light of this
+  /// number, or one material is anisotropic and the other is not.
+  [[nodiscard]] bool replace(int index, const VirtualLight& light) {
+    if (index < 0 || size() <= index) return false;
     const bool is_isotropic = index < records_.size();
-    if (shines(light) && is_isotropic != (light.anisotropic == nullptr)) {
-      detail::refuse("a virtual light cannot take the place of one whose material is of another symmetry");
-    }
+    if (shines(light) && is_isotropic != (light.anisotropic == nullptr)) return false;
     if (is_isotropic) {
       records_.replace(index, shines(light) ? isotropic_record(light) : scaled(records_.record(index), 0.0F));
     } else {
       const int i = index - records_.size();
       anisotropic_.replace(i, shines(light) ? anisotropic_record(light) : scaled(anisotropic_.record(i), 0.0F));
     }
+    return true;
   }
 
   /// The lights that shine.

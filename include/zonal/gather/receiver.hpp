@@ -1,6 +1,7 @@
 // The point that receives light from virtual lights, and what stands between.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/common.hpp>
@@ -8,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "../scalar/function_ref.hpp"
+#include "../scalar/long_sum.hpp"
 #include "../scalar/packet.hpp"
 #include "../scalar/vector3.hpp"
 
@@ -115,37 +117,42 @@ ReceiverFrame<T> frame_of(const Receiver& receiver) {
   return frame_of<T>(receiver, tangent_towards(receiver.normal, receiver.outgoing));
 }
 
-/// What one packet of all lights contributes, less what the receiver does not see of it, added up.
+/// Takes from what one packet of all lights contributes that of the lights that the receiver does not see.
 template <class Lights, class T>
-glm::vec3 visible_sum(const Lights& all, int index, const T (&radiance)[3], const Visibility& visible) {
+void hide_unseen(const Lights& all, int index, const Visibility& visible, T (&radiance)[3]) {
   const auto lights = all.packet(index);
-  glm::vec3 sum(0.0F);
   for (int lane = 0; lane < T::width; ++lane) {
     const glm::vec3 rgb(radiance[0][lane], radiance[1][lane], radiance[2][lane]);
     if (rgb == glm::vec3(0.0F)) continue;
     const auto vector = [&](const T(&v)[3]) { return glm::vec3(v[0][lane], v[1][lane], v[2][lane]); };
-    if (visible(vector(lights.position), vector(lights.normal))) sum += rgb;
+    if (visible(vector(lights.position), vector(lights.normal))) continue;
+    for (T& channel : radiance) channel.set(lane, 0);
   }
-  return sum;
 }
 
-/// The sum of radiance(record, to[3]) over all packets that `lights` holds.
+/// The sum of radiance(record, to[3]) over all packets that `lights` holds: long_sum.hpp, of which a term is a packet.
 template <class Lights, class Radiance>
 ZONAL_INLINE inline glm::vec3 sum_packets(const Lights& lights, const Visibility& visible, const Radiance& radiance) {
   using Lanes = typename Lights::Lanes;
-  Lanes sum[3] = {Lanes(0), Lanes(0), Lanes(0)};
-  glm::vec3 total(0.0F);
-  for (int i = 0; i < lights.packet_count(); ++i) {
-    Lanes rgb[3];
-    radiance(lights.packet(i), rgb);
-    if (visible) {  // what is passed on would stand in memory all the time: a copy, and the packet once more
-      const Lanes unshadowed[3] = {rgb[0], rgb[1], rgb[2]};
-      total += visible_sum(lights, i, unshadowed, visible);
-    } else {
-      for (int c = 0; c < 3; ++c) sum[c] = sum[c] + rgb[c];
+  CompensatedSum<Lanes> total[3];
+  const int count = lights.packet_count();
+  for (int first = 0; first < count; first += terms_in_block) {
+    Lanes sum[3] = {Lanes(0), Lanes(0), Lanes(0)};
+    const int last = (std::min)(first + terms_in_block, count);
+    for (int i = first; i < last; ++i) {
+      Lanes rgb[3];
+      radiance(lights.packet(i), rgb);
+      if (visible) {  // what is passed on would stand in memory all the time: a copy, and the packet once more
+        Lanes seen[3] = {rgb[0], rgb[1], rgb[2]};
+        hide_unseen(lights, i, visible, seen);
+        for (int c = 0; c < 3; ++c) sum[c] = sum[c] + seen[c];
+      } else {
+        for (int c = 0; c < 3; ++c) sum[c] = sum[c] + rgb[c];
+      }
     }
+    for (int c = 0; c < 3; ++c) total[c].add(sum[c]);
   }
-  return total + glm::vec3(sum[0].sum(), sum[1].sum(), sum[2].sum());
+  return {total[0].value().sum(), total[1].value().sum(), total[2].value().sum()};
 }
 
 }  // namespace detail

@@ -10,6 +10,7 @@
 
 #include "../light/point.hpp"
 #include "../light/radial.hpp"
+#include "../scalar/long_sum.hpp"
 #include "coefficient_grid.hpp"
 #include "gradient_limit.hpp"
 #include "light_sums.hpp"
@@ -103,7 +104,9 @@ void add_lights(CoefficientGrid<N, content>& grid, const std::vector<ColouredLig
     GradientLimit<Lanes> limit{Lanes(cell), Lanes(1 / cell), Lanes(0)};
 
     LightSums<N, VertexLanes, Lanes, detail::ModulationOf<Light, Lanes>::exists, Grid::has_gradients> sums;
+    LongSums<VertexLanes> totals;
     for (std::size_t first = 0; first < lights.size(); first += at_once) {
+      if (first > 0 && first % (terms_in_block * at_once) == 0) totals.take(sums);
       std::array<const Light*, at_once> group;
       float colour[3][at_once], centre[at_once];
       for (std::size_t i = 0; i < at_once; ++i) {  // what is missing in the last group is black
@@ -118,6 +121,7 @@ void add_lights(CoefficientGrid<N, content>& grid, const std::vector<ColouredLig
       limit.at_centre = blocks(centre);
       sums.add(see_limited<N>(Group::of(group), position[0], position[1], position[2], limit), colours);
     }
+    totals.finish(sums);
     sums.finish([&](int l, int m, int c, const auto&... value_and_gradient) {
       vertices.add(grid, 3 * sh_index(l, m) + c, value_and_gradient...);
     });
@@ -129,17 +133,17 @@ template <int N, GridContent content, class ForEach>
 void add_lights(CoefficientGrid<N, content>& grid, const std::vector<ColouredLight<DirectionalLight<float>>>& lights,
                 ForEach&& for_each) {
   using Grid = CoefficientGrid<N, content>;
-  Sh<N, glm::vec3> sum{};
+  Sh<N, glm::dvec3> sum{};  // in double, for there may be many
   for (const auto& [light, colour] : lights) {
     const Sh<N, float> sh = evaluate<N>(light.direction);
-    for (int i = 0; i < N * N; ++i) sum[i] += sh[i] * colour;
+    for (int i = 0; i < N * N; ++i) sum[i] += glm::dvec3(sh[i] * colour);
   }
   for_each(detail::vertex_packet_count(grid), [&](int packet) {
     const detail::VertexPacket<Grid> vertices(grid, static_cast<std::size_t>(packet));
     for (std::size_t vertex = vertices.first; vertex < vertices.first + vertices.count; ++vertex) {
       float* value = grid.data() + vertex * Grid::vertex_size;
       for (int i = 0; i < N * N; ++i) {
-        for (int c = 0; c < 3; ++c) value[3 * i + c] += sum[i][c];
+        for (int c = 0; c < 3; ++c) value[3 * i + c] += static_cast<float>(sum[i][c]);
       }
     }
   });

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "../light/polygon.hpp"
+#include "../scalar/long_sum.hpp"
 #include "light_sums.hpp"
 #include "vertex_packet.hpp"
 
@@ -133,6 +134,16 @@ class PolygonLightSums {
     }
   }
 
+  /// visit(sum) for each number that is summed up, for LongSums.
+  template <class Visit>
+  void for_each_sum(const Visit& visit) {
+    for (PolygonSums<N, VertexLanes>& sums : sums_) {
+      visit(sums.solid_angle);
+      for (auto& sh : sums.moment) std::for_each(sh.begin(), sh.end(), visit);
+      for (auto& sh : sums.slope) std::for_each(sh.begin(), sh.end(), visit);
+    }
+  }
+
   /// The sums of a colour, 0 to 2.
   const PolygonSums<N, VertexLanes>& operator[](int colour) const { return sums_[colour]; }
 
@@ -160,22 +171,26 @@ void add_lights(CoefficientGrid<N, content>& grid, const std::vector<ColouredLig
   for_each(detail::vertex_packet_count(grid), [&](int packet) {
     const detail::VertexPacket<Grid> vertices(grid, static_cast<std::size_t>(packet));
     Sums sums;
+    LongSums<VertexLanes> totals;
 
     std::vector<VertexLanes> side(lights.size());
     for (std::size_t i = 0; i < lights.size(); ++i) {
+      if (i > 0 && i % terms_in_block == 0) totals.take(sums);
       const detail::SeenPolygon<V, VertexLanes> seen(lights[i].light, vertices.position);
       const auto view = detail::view(seen);
       side[i] = view.side;
       sums.add_solid_angle(view.solid_angle, detail::outline<N>(seen).length, lights[i].colour);
     }
+    totals.finish(sums);
     const float allowance = sums.allowance(tolerance);
 
     Edges receiver[3];
     for (int i = 0; i < 3; ++i) receiver[i] = vertices.position[i].template repeated<Sums::edges_at_once>();
     const detail::LightEdge* pending[Sums::edges_at_once];
     VertexLanes jumps[3][Sums::edges_at_once];
-    int count = 0;
+    int count = 0, added = 0;
     const auto add_pending = [&] {
+      if (++added % terms_in_block == 0) totals.take(sums);
       const Edges jump[3] = {Edges::template side_by_side<Sums::edges_at_once>(jumps[0]),
                              Edges::template side_by_side<Sums::edges_at_once>(jumps[1]),
                              Edges::template side_by_side<Sums::edges_at_once>(jumps[2])};
@@ -199,6 +214,7 @@ void add_lights(CoefficientGrid<N, content>& grid, const std::vector<ColouredLig
       for (auto& channel : jumps) channel[1] = VertexLanes(0);
       add_pending();
     }
+    totals.finish(sums);
     for (int c = 0; c < 3; ++c) {
       Sh<N, VertexLanes> value;
       finish(sums[c], value);

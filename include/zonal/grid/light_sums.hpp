@@ -31,11 +31,7 @@ template <int N, class T, class Wide = T, bool is_modulated = false, bool has_gr
 class LightSums {
  public:
   LightSums() {
-    for (Sums& sums : sums_) {
-      for (auto& channel : sums) {
-        for (T& sum : channel) sum = T(0);
-      }
-    }
+    for_each_sum([](T& sum) { sum = T(0); });
   }
 
   /// Adds lights seen from (x, y, z).
@@ -82,6 +78,16 @@ class LightSums {
         }
       }
     });
+  }
+
+  /// visit(sum) for each number that is summed up, for LongSums.
+  template <class Visit>
+  void for_each_sum(const Visit& visit) {
+    for (Sums& sums : sums_) {
+      for (auto& channel : sums) {
+        for (T& sum : channel) visit(sum);
+      }
+    }
   }
 
   /// visit(l, m, colour, value, up, down): what Y_l^m is multiplied by, for l up to N. `value` and `down` stay 0 where

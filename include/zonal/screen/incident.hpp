@@ -23,6 +23,7 @@
 #include "../gather/packet_array.hpp"
 #include "../scalar/fields.hpp"
 #include "../scalar/function_ref.hpp"
+#include "../scalar/long_sum.hpp"
 #include "../scalar/packet.hpp"
 #include "../scalar/vector3.hpp"
 
@@ -136,7 +137,12 @@ class RadianceSum {
   using T = LightSet::Lanes;
 
   RadianceSum() {
-    for (T& sum : sums_) sum = T(0);
+    for_each_sum([](T& sum) { sum = T(0); });
+  }
+  /// visit(sum) for each number that is summed up, for LongSums.
+  template <class Visit>
+  void for_each_sum(const Visit& visit) {
+    for (T& sum : sums_) visit(sum);
   }
   ZONAL_INLINE void operator()(const Arrival<T>& arrival) {
     evaluate<N>(arrival.direction[0], arrival.direction[1], arrival.direction[2],
@@ -159,8 +165,13 @@ template <int N>
 Sh<N, glm::vec3> incident_radiance(const LightSet& lights, const glm::vec3& position, const glm::vec3& geometric_normal,
                                    float least_distance, const LightVisibility& visible = {}) {
   RadianceSum<N> sum;
-  for_each_arrival(lights, position, geometric_normal, least_distance, visible,
-                   [&](const auto& arrival) ZONAL_INLINE { sum(arrival); });
+  LongSums<LightSet::Lanes> totals;
+  int arrived = 0;
+  for_each_arrival(lights, position, geometric_normal, least_distance, visible, [&](const auto& arrival) ZONAL_INLINE {
+    sum(arrival);
+    if (++arrived % terms_in_block == 0) totals.take(sum);
+  });
+  totals.finish(sum);
   return sum.radiance();
 }
 

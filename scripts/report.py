@@ -144,6 +144,26 @@ def triangles(folder):
         triangles_table(rows)])
 
 
+# ---- Stiff inputs ----------------------------------------------------------------------------------------------------
+
+def stiff(folder):
+    rows = read(folder, "stiff")
+    said = []
+    for plot, ours, theirs, name in (("cap", "differences", "legendre", "caps"), ("gradient", "ladder", "sloan_like", "gradients"),
+                                     ("solid_angle", "edges", "corners", "solid angles"), ("degree", "basis", "in_z", "the basis")):
+        worst = {form: max(row["y"] for row in where(rows, plot=plot, form=form)) for form in (ours, theirs)}
+        other = "no number" if worst[theirs] >= report_plots.NO_NUMBER else f"{worst[theirs]:.1e}"
+        said.append(f"{name} {worst[ours]:.1e} ({other})")
+    slopes = {plot: max(row["y"] for row in where(rows, plot=plot) if row["form"].startswith("gradient"))
+              for plot in ("pan", "fly_by")}
+    return "\n\n".join([
+        "## Stiff inputs", figure("stiff", "errors where sizes, distances and degrees are extreme; ways through and past a sphere"),
+        "In float, against wider numbers, relative to the largest coefficient, component or, of each degree, value. Greatest error "
+        f"of the library's form, and in brackets of the papers' (of the basis, of the recurrence in z): {listed(said)}.",
+        f"A sphere light's value has no step at its surface; its gradient, which is infinite there, ends at {slopes['pan']:.0f} over the "
+        f"radius. On the way past, {slopes['fly_by']:.0f}. Tests, \"stiff lights\", hold both to bounds."])
+
+
 # ---- Materials -------------------------------------------------------------------------------------------------------
 
 SHOWN_BANDS = (3, 5, 7, 9, 15, 21)
@@ -218,7 +238,7 @@ def furnace(folder):
 
 
 PARTS = {"gather": gather, "many_lights": many_lights, "evaluation": evaluation, "interpolation": interpolation, "triangles": triangles,
-         "materials": materials, "furnace": furnace, "screen": screen, "field": field}
+         "stiff": stiff, "materials": materials, "furnace": furnace, "screen": screen, "field": field}
 
 
 def main(command, folder):

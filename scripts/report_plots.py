@@ -201,6 +201,52 @@ def triangles(folder):
     save(figure, folder, "triangles")
 
 
+STIFF_FORM = {"differences": (BLUE, "differences"), "legendre": (RED, "Legendre polynomials, as printed"),
+              "closed": (ORANGE, "closed forms"), "ladder": (BLUE, "ladder"),
+              "sloan_like": (RED, "by angles, Sloan's like, as printed"),
+              "direct": (ORANGE, "by angles, direct, as printed"),
+              "edges": (BLUE, "from the edges"), "corners": (RED, "from the corners, as printed"),
+              "sphere": (GREEN, "as a sphere"), "basis": (BLUE, "basis, by differences"), "in_z": (RED, "basis, in z"),
+              "cap": (GREEN, "cap"), "cap_derivative": (PURPLE, "its derivative"), "phong": (ORANGE, "Phong, 1000"),
+              "gaussian": (SKY, "Gaussian, 1000")}
+STIFF_ERRORS = {"cap": ("cap, 10 bands", "radius over distance"),
+                "gradient": ("gradient, 10 bands", "sine of the pole's distance"),
+                "solid_angle": ("a triangle's solid angle", "distance over size"), "degree": ("each degree", "degree")}
+STIFF_WAYS = {"pan": ("through a sphere's surface", "height above it, in radii", 1e-6, (1e-6, 1e-3, 1)),
+              "fly_by": ("past a sphere, 1.001 radii from its centre", "way along, in radii", 1, (1, 1e3, 1e6))}
+NO_NUMBER = 1e9
+
+
+def stiff(folder):
+    rows = read(folder, "stiff")
+    if not rows:
+        return
+    figure, axes = panels(4, 2, height=3.1)
+    for axis, (plot, (title, x)) in zip(axes[:2].flat, STIFF_ERRORS.items()):
+        for form in distinct(where(rows, plot=plot), "form"):
+            colour, label = STIFF_FORM[form]
+            line = [row for row in where(rows, plot=plot, form=form) if row["y"] < NO_NUMBER]
+            axis.plot([row["x"] for row in line], [max(row["y"], 1e-9) for row in line], color=colour, label=label)
+        axis.set(xscale="linear" if plot == "degree" else "log", yscale="log", xlabel=x, title=title)
+        axis.legend(fontsize=7)
+    for line in axes[:2]:
+        line[0].set_ylabel("relative error in float")
+    for line, what in zip(axes[2:], ("value", "gradient")):
+        for axis, (plot, (title, x, threshold, ticks)) in zip(line, STIFF_WAYS.items()):
+            for degree, colour in enumerate((BLACK, BLUE, ORANGE, GREEN)):
+                points = sorted((row["x"], row["y"]) for row in where(rows, plot=plot, form=f"{what} {degree}"))
+                axis.plot(*zip(*points), color=colour, label=f"degree {degree}")
+            axis.set_xscale("symlog", linthresh=threshold)
+            axis.set_xticks([-tick for tick in reversed(ticks)] + [0, *ticks])
+            if what == "gradient":
+                axis.set_yscale("log")
+            axis.set(xlabel=x, title=title)
+            free = "upper left" if plot == "fly_by" else "center left" if what == "value" else "upper right"
+            axis.legend(fontsize=7, loc=free)
+        line[0].set_ylabel(f"{what}, order 0" if what == "value" else "length of the gradient")
+    save(figure, folder, "stiff")
+
+
 WINDOW_STYLE = {"none": (BLUE, "-"), "sinc": (ORANGE, "--"), "hann": (RED, ":")}
 
 
@@ -469,5 +515,5 @@ def overview(folder):
     save(figure, folder, "overview")
 
 
-ALL = [gather, many_lights, evaluation, interpolation, triangles, materials, furnace, screen, screen_sets, field,
+ALL = [gather, many_lights, evaluation, interpolation, triangles, stiff, materials, furnace, screen, screen_sets, field,
        field_time, overview]

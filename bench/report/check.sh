@@ -44,11 +44,18 @@ part furnace method,material,degrees,bands,lights,relative_energy '
   $1 == "vpl" && $2 == "Lambert" && ($6 < 0.999 || $6 > 1.001) { fail("energy") }
   $1 == "vpl" && $2 == "GGX 0.6" && ($6 < 0.98 || $6 > 1.02) { fail("energy") }
   $1 == "hvl" && $2 == "Lambert" && $4 >= 5 && ($6 < 0.9 || $6 > 1.1) { fail("energy") }'
+part stiff plot,form,x,y '
+  $1 == "cap" && $2 == "differences" && $4 > 1e-6 { fail("error") }
+  $1 == "gradient" && $2 == "ladder" && $4 > 1e-5 { fail("error") }
+  $1 == "solid_angle" && $2 == "edges" && $4 > 1e-5 { fail("error") }
+  $1 == "solid_angle" && $2 == "corners" { corners = $4 > corners ? $4 : corners }
+  $2 == "cap" && $1 == "degree" && $4 > 1e-6 { fail("error") }
+  END { if (corners < 0.1) fail("from its corners a far triangle is as exact") }'
 "$program" machine | grep -q '^processor,..*' || { echo "machine: no processor"; exit 1; }
 
 if /usr/bin/python3 -c 'import matplotlib' 2>/dev/null; then
   /usr/bin/python3 "$script" plot "$folder"
-  for name in evaluation interpolation triangles materials furnace; do
+  for name in evaluation interpolation triangles stiff materials furnace; do
     grep -q "($name.svg)" "$folder/README.md" && grep -q '</svg>' "$folder/$name.svg" || { echo "no $name.svg"; exit 1; }
   done
 fi

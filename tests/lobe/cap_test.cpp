@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "../accuracy_table.hpp"
+#include "../accuracy.hpp"
 #include "../catch.hpp"
 #include "../csv.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-using zonal::Accuracy, zonal::accuracy_bound, zonal::accuracy_of;
+using zonal::Accuracy, zonal::accuracy_bound, zonal::accuracy_of, zonal::many_bands_bound;
 using zonal::accuracy::run_bands;
 
 /// "float" or "double", and the packets of either.

@@ -18,6 +18,7 @@ using namespace zonal::kernels;
 using zonal::accuracy::kAnyScalar;
 using zonal::accuracy::kFunctions;
 using zonal::accuracy::kKernels;
+using zonal::accuracy::kOfManyBands;
 
 // Those for colours run the others three times.
 template <class Visit>
@@ -54,6 +55,11 @@ std::string accuracy_document() {
           "random inputs of every scalar stay below stands in brackets.\n\n";
   text << accuracy_columns;
   for_each_promised([&](auto entry) { text << accuracy_rows<decltype(entry)>(kKernels); });
+  text << "\nWith the number of bands known at run time ([many_bands](rooms/many_bands.md)), against "
+          "Boost.Multiprecision;\n"
+          "half of the directions at a sine of 1 down to the least normal number:\n\n"
+       << accuracy_columns;
+  for (const Accuracy& row : kOfManyBands) text << accuracy_row(row, "");
   text << "\nOther functions:\n\n" << accuracy_columns;
   for (const Accuracy& row : kFunctions) text << accuracy_row(row, "");
   return text.str();

@@ -67,7 +67,7 @@ double error_at_worst(const Subject& subject, std::string_view inputs) {
 // Of 21 bands a fixed share; whole: zonal-prove.
 TEST_CASE("proof: no error is beyond the bound, over the whole range") {
   for_each_proved([](const Accuracy& row, const Provable& provable) {
-    const long stride = row.bands > 10 ? 4999 : 1;
+    const long stride = row.bands > 10 ? 499 : 1;
     const Check check = check_bound(provable.subject(), provable.greatest, row.bound, 40, stride, stride / 2);
     CAPTURE(check.failed.cell.low[0], check.failed.cell.high[0], check.failed.cell.low[1], check.failed.cell.high[1]);
     CHECK(check.holds);

@@ -60,7 +60,7 @@ struct Provable {
   Subject subject() const;
 };
 
-/// Some functions are there twice: in C++ built-in numbers may take their steps in another order (basis/gradient_rows.hpp).
+/// Some functions are there twice: of built-in numbers C++ may take the steps in another order (gradient_rows.hpp).
 const std::vector<Provable>& provables();
 /// All there are, or none.
 std::vector<Provable> find_provables(std::string_view function, std::string_view scalar, int bands);

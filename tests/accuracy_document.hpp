@@ -25,7 +25,9 @@ inline std::string accuracy_row(const Accuracy& row, std::string_view summary) {
        << (row.ground == zonal::Ground::proved        ? "proof"
            : row.ground == zonal::Ground::every_input ? "every input"
                                                       : "search")
-       << " | " << row.worst << " | ";
+       << " | ";
+  if (row.worst > 0 || row.bound <= 0) text << row.worst;  // else none is kept
+  text << " | ";
   if (row.worst > 0) {
     text.precision(2);
     text << row.bound / row.worst;

@@ -88,8 +88,15 @@ class Lanes {
   }
 #endif
 
-  /// *this += a * b, in one rounding where the target has such an operation.
-  ZONAL_INLINE void add_product(const Lanes& a, const Lanes& b) { *this = *this + a * b; }
+  /// *this += a * b, in one rounding where the target has such an operation and the compiler may contract: clang++ does
+  /// within one expression only.
+  ZONAL_INLINE void add_product(const Lanes& a, const Lanes& b) {
+#if defined(ZONAL_COMPILER_VECTORS)
+    values_ = values_ + a.values_ * b.values_;
+#else
+    *this = *this + a * b;
+#endif
+  }
 
 #if defined(ZONAL_COMPILER_VECTORS)
   ZONAL_INLINE friend Lanes operator-(const Lanes& a) { return Lanes(-a.values_); }

@@ -44,6 +44,7 @@ int run(int argc, char** argv) {
   register_adjoint(effort);
   register_environment(effort);
   register_screen(effort);
+  register_many_lights(effort);
   register_registry(effort);
   benchmark::Initialize(&count, arguments.data());
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;

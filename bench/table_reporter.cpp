@@ -48,6 +48,8 @@ class TableReporter : public benchmark::BenchmarkReporter {
     out << "\n";
     print_screen(out, results_);
     out << "\n";
+    print_many_lights(out, results_);
+    out << "\n";
     print_registry(out, results_);
     out.flush();
   }

@@ -174,6 +174,42 @@ inline constexpr Accuracy kFunctionAccuracy[] = {
     {"angle_from", "Packet of double", 0, "0 to pi", kUlpOfPi, 2},
 };
 
+/// Of the kernels of many bands (zonal/many_bands/), against Boost.Multiprecision.
+inline constexpr Accuracy kManyBandsAccuracy[] = {
+    {"evaluate", "float", 21, kAllDirections, kOfTheDegree, 1.6e-6},
+    {"evaluate", "float", 190, kAllDirections, kOfTheDegree, 3.5e-6},
+    {"evaluate", "float", 250, kAllDirections, kOfTheDegree, 3.5e-6},
+    {"evaluate", "double", 21, kAllDirections, kOfTheDegree, 3e-15},
+    {"evaluate", "double", 190, kAllDirections, kOfTheDegree, 5e-15},
+    {"evaluate", "double", 1000, kAllDirections, kOfTheDegree, 2e-14},
+    {"evaluate", "double", 2000, kAllDirections, kOfTheDegree, 4e-14},
+    {"evaluate_with_gradient", "float", 21, kAllDirections, kSteepest, 2e-6},
+    {"evaluate_with_gradient", "float", 190, kAllDirections, kSteepest, 5e-6},
+    {"evaluate_with_gradient", "double", 190, kAllDirections, kSteepest, 8e-15},
+    {"evaluate_with_gradient", "double", 1000, kAllDirections, kSteepest, 3e-14},
+    {"evaluate_zonal", "float", 190, kAllCosines, kLargest, 1e-5},
+    {"evaluate_zonal", "double", 190, kAllCosines, kLargest, 4e-15},
+    {"evaluate_zonal", "double", 1000, kAllCosines, kLargest, 3e-14},
+    {"cap", "float", 190, kAllCaps, kLargest, 5e-7},
+    {"cap", "double", 190, kAllCaps, kLargest, 1.2e-15},
+    {"cap", "double", 1000, kAllCaps, kLargest, 4e-15},
+    {"cap_derivative", "float", 190, kAllCaps, kLargest, 8e-6},
+    {"cap_derivative", "double", 190, kAllCaps, kLargest, 1e-14},
+    {"cap_derivative", "double", 1000, kAllCaps, kLargest, 5e-14},
+    {"lambert", "float", 190, "", kLargest, 6e-8},
+    {"lambert", "double", 190, "", kLargest, 1.2e-16},
+    {"lambert", "double", 1000, "", kLargest, 1.2e-16},
+    {"phong", "float", 190, "exponents 0 to 1e6", kLargest, 5e-7},
+    {"phong", "double", 190, "exponents 0 to 1e6", kLargest, 1e-15},
+    {"phong", "double", 1000, "exponents 0 to 1e6", kLargest, 2e-15},
+    {"spherical_gaussian", "float", 190, "sharpness 1e-3 to 1e8", kLargest, 1e-6},
+    {"spherical_gaussian", "double", 190, "sharpness 1e-3 to 1e8", kLargest, 2e-15},
+    {"spherical_gaussian", "double", 1000, "sharpness 1e-3 to 1e8", kLargest, 5e-15},
+    {"rotate", "float", 190, kAllDirections, kOfTheDegree, 3e-6},
+    {"rotate", "double", 190, kAllDirections, kOfTheDegree, 5e-15},
+    {"rotate", "double", 1000, kAllDirections, kOfTheDegree, 2e-14},
+};
+
 /// The one row for this kernel or function, scalar and number of bands.
 constexpr Accuracy accuracy_of(std::string_view kernel, std::string_view scalar, int bands) {
   const auto is_it = [&](const Accuracy& row) {
@@ -189,6 +225,13 @@ constexpr Accuracy accuracy_of(std::string_view kernel, std::string_view scalar,
 }
 constexpr double accuracy_bound(std::string_view kernel, std::string_view scalar, int bands = 0) {
   return accuracy_of(kernel, scalar, bands).bound;
+}
+
+constexpr double many_bands_bound(std::string_view kernel, std::string_view scalar, int bands) {
+  for (const Accuracy& row : kManyBandsAccuracy) {
+    if (row.kernel == kernel && row.scalar == scalar && row.bands == bands) return row.bound;
+  }
+  throw std::invalid_argument("no such row in the table of accuracy");
 }
 
 /// "float" or "double", and the packets of either.

@@ -2,6 +2,8 @@
 // from; and groups of receivers.
 #include <zonal/many_lights/hvl_tree.hpp>
 #include <zonal/many_lights/receiver_groups.hpp>
+#include <zonal/material/anisotropic_table.hpp>
+#include <zonal/material/named.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -268,13 +270,16 @@ TEST_CASE("light tree: a light that changed is drawn as the new one, and the bou
                            [&](int i) { return zonal::tree_light(scene.lights.isotropic().record(i)); });
   std::vector<zonal::TreeLight<3>> lights;
   for (int i = 0; i < tree.size(); ++i) lights.push_back(zonal::tree_light(scene.lights.isotropic().record(i)));
-  for (int moved = 0; moved < 30; ++moved) {
-    const int place = int(random() * 400);
-    auto& light = lights[std::size_t(tree.light_at(place))];
-    light.position += 0.5F * random.direction();
-    light.normal = random.direction();
-    if (moved % 2 == 0) light.emission = light.emission * 2.0F;
-    tree.update(place, [&](int i) -> const zonal::TreeLight<3>& { return lights[std::size_t(i)]; });
+  for (int time = 0; time < 6; ++time) {
+    std::vector<int> changed;
+    for (int moved = 0; moved < 5; ++moved) {
+      changed.push_back(int(random() * 400));  // one may be among them twice
+      auto& light = lights[std::size_t(changed.back())];
+      light.position += 0.5F * random.direction();
+      light.normal = random.direction();
+      if (moved % 2 == 0) light.emission = light.emission * 2.0F;
+    }
+    tree.update(changed, [&](int i) -> const zonal::TreeLight<3>& { return lights[std::size_t(i)]; });
   }
   double before = 0;
   for (int place = 0; place < tree.size(); ++place) {
@@ -294,6 +299,46 @@ TEST_CASE("light tree: a light that changed is drawn as the new one, and the bou
     }
     REQUIRE(glm::distance(mean, node.position) <= 1e-4F);
   }
+}
+
+TEST_CASE("light tree: lights that moved, in their cache and the tree, are gathered where they are now") {
+  Random random(32);
+  auto lights = room_lights(random, 500);
+  zonal::HvlCache<3> cache(lights);
+  zonal::HvlTree<3> tree(cache);
+  const auto others = room_lights(random, 500);
+  std::vector<int> changed;
+  for (int i = 0; i < 500; i += 7) {
+    lights[std::size_t(i)] = others[std::size_t(i)];
+    REQUIRE(cache.replace(i, lights[std::size_t(i)]));
+    changed.push_back(i);
+  }
+  zonal::VirtualLight black = lights[14];
+  black.flux = glm::vec3(0);
+  REQUIRE(cache.replace(14, black));
+  tree.update(cache, changed);
+  lights[14].flux = glm::vec3(1e-30F);  // a fresh cache would leave a black one out, and number the others anew
+  const zonal::HvlCache<3> fresh(lights);
+
+  const Scene scene(33, 1);  // its receivers
+  Cut<3> cut(tree.tree());
+  zonal::CutTolerance tolerance;
+  tolerance.relative = 1e-6F;
+  cut.find(scene.packet, tolerance);
+  std::vector<zonal::DrawnLights<3>> draws(1);
+  tree.draw(cut, scene.box, 1, draws);
+  for (std::size_t i = 0; i < scene.receivers.size(); ++i) {
+    const glm::dvec3 full = scene.gather(fresh, i);
+    CHECK(scene.gather(cache, i) == full);
+    CHECK(glm::distance(scene.gather(draws[0], i), full) <= 1e-5 * glm::length(full));
+  }
+
+  zonal::VirtualLight other_kind = lights[0];
+  const zonal::AnisotropicTable anisotropic(zonal::matte({0.8F, 0.4F, 0.2F}), 3);
+  other_kind.anisotropic = &anisotropic;
+  CHECK(!cache.replace(0, other_kind));
+  CHECK(!cache.replace(-1, lights[0]));
+  CHECK(!cache.replace(500, lights[0]));
 }
 
 TEST_CASE("receiver groups: a floor stays whole, a wall and an object before it do not") {

@@ -20,6 +20,15 @@
 namespace zonal {
 inline namespace ZONAL_TARGET {
 
+namespace detail {
+// q_m^m from q_(m-1)^(m-1).
+constexpr long double next_diagonal(int m, long double before) {
+  return m == 0   ? constexpr_sqrt(1 / (4 * kPi))
+         : m == 1 ? -constexpr_sqrt(3 / (4 * kPi))
+                  : -before * constexpr_sqrt((2 * m + 1.0L) / (2 * m));
+}
+}  // namespace detail
+
 template <int N>
 struct BasisTable {
   static constexpr std::size_t size = N;
@@ -28,9 +37,7 @@ struct BasisTable {
 
   constexpr BasisTable() {
     for (int m = 0; m < N; ++m) {
-      diagonal[m] = m == 0   ? constexpr_sqrt(1 / (4 * kPi))
-                    : m == 1 ? -constexpr_sqrt(3 / (4 * kPi))
-                             : -diagonal[m - 1] * constexpr_sqrt((2 * m + 1.0L) / (2 * m));
+      diagonal[m] = detail::next_diagonal(m, m == 0 ? 0 : diagonal[m - 1]);
       for (int l = m + 1; l < N; ++l) {
         const long double a = l + m, b = l - m;
         raise[l][m] = constexpr_sqrt((2 * l + 1) * (2 * l - 1.0L) / (a * b));

@@ -253,11 +253,11 @@ class HvlCache {
   HvlCache() = default;
   explicit HvlCache(const std::vector<VirtualLight>& lights) {
     for (const VirtualLight& light : lights) {
-      const bool shines = light.flux != glm::vec3(0) && glm::dot(light.normal, light.to_primary) > 0;
-      if (shines && light.anisotropic != nullptr) {
-        append_anisotropic(light);
-      } else if (shines && light.material != nullptr) {
-        append(light);
+      if (!shines(light)) continue;
+      if (light.anisotropic != nullptr) {
+        append(anisotropic_record(light));
+      } else {
+        append(isotropic_record(light));
       }
     }
   }
@@ -269,6 +269,22 @@ class HvlCache {
   }
   void append(const HvlRecord<NE, float>& light) { records_.append(light); }
   void append(const HvlRecord<NE, float, AnyEmission>& light) { anisotropic_.append(light); }
+
+  /// Another light in place of one; `index` counts the lights that shine, those of isotropic materials first. One that
+  /// does not shine leaves the old one's place black. False, and nothing is changed, where there is no light of this
+  /// number, or one material is anisotropic and the other is not.
+  [[nodiscard]] bool replace(int index, const VirtualLight& light) {
+    if (index < 0 || size() <= index) return false;
+    const bool is_isotropic = index < records_.size();
+    if (shines(light) && is_isotropic != (light.anisotropic == nullptr)) return false;
+    if (is_isotropic) {
+      records_.replace(index, shines(light) ? isotropic_record(light) : scaled(records_.record(index), 0.0F));
+    } else {
+      const int i = index - records_.size();
+      anisotropic_.replace(i, shines(light) ? anisotropic_record(light) : scaled(anisotropic_.record(i), 0.0F));
+    }
+    return true;
+  }
 
   /// The lights that shine.
   int size() const { return records_.size() + anisotropic_.size(); }
@@ -300,15 +316,20 @@ class HvlCache {
   WithoutSymmetry anisotropic_lights() const { return {*this, records_.packet_count()}; }
 
  private:
-  void append(const VirtualLight& light) {
+  static bool shines(const VirtualLight& light) {
+    return light.flux != glm::vec3(0) && glm::dot(light.normal, light.to_primary) > 0 &&
+           (light.material != nullptr || light.anisotropic != nullptr);
+  }
+
+  static HvlRecord<NE, float> isotropic_record(const VirtualLight& light) {
     const glm::vec3 tangent = detail::tangent_towards(light.normal, light.to_primary);
     const float cos_primary = glm::dot(light.normal, light.to_primary);
-    records_.append(record<EvenEmission>(light, tangent, light.material->template without_cosine<NE>(cos_primary)));
+    return record<EvenEmission>(light, tangent, light.material->template without_cosine<NE>(cos_primary));
   }
-  void append_anisotropic(const VirtualLight& light) {
+  static HvlRecord<NE, float, AnyEmission> anisotropic_record(const VirtualLight& light) {
     const detail::AnisotropicView primary(light.to_primary, light.normal, light.tangent);
-    anisotropic_.append(
-        record<AnyEmission>(light, primary.tangent, light.anisotropic->template without_cosine<NE>(primary.direction)));
+    return record<AnyEmission>(light, primary.tangent,
+                               light.anisotropic->template without_cosine<NE>(primary.direction));
   }
 
   template <class Emission, class Coefficients>

@@ -30,21 +30,23 @@ class PacketArray {
     size_ = 0;
   }
 
-  void append(Record<float> record) {
-    const int lane = size_ % block_lanes;
-    if (lane == 0) fields_.resize(fields_.size() + block_size, 0.0F);
-    float* target = fields_.data() + fields_.size() - block_size + lane;
+  void append(const Record<float>& record) {
+    if (size_ % block_lanes == 0) fields_.resize(fields_.size() + block_size, 0.0F);
+    replace(size_++, record);
+  }
+
+  void replace(int index, Record<float> record) {
+    float* target = fields_.data() + first_field(index);
     for_each_field(record, [&](float field) {
       *target = field;
       target += block_lanes;
     });
-    ++size_;
   }
 
   /// One record, for set-up.
   Record<float> record(int index) const {
     Record<float> record;
-    const float* source = fields_.data() + std::size_t(index / block_lanes) * block_size + index % block_lanes;
+    const float* source = fields_.data() + first_field(index);
     for_each_field(record, [&](float& field) {
       field = *source;
       source += block_lanes;
@@ -68,7 +70,7 @@ class PacketArray {
     std::vector<float> floats;
     floats.reserve(std::size_t(size_) * field_count);
     for (int i = 0; i < size_; ++i) {
-      const float* field = fields_.data() + std::size_t(i / block_lanes) * block_size + i % block_lanes;
+      const float* field = fields_.data() + first_field(i);
       for (int k = 0; k < field_count; ++k) floats.push_back(field[k * block_lanes]);
     }
     return floats;
@@ -78,6 +80,10 @@ class PacketArray {
   static constexpr int block_lanes = 16;
   static constexpr std::size_t block_size = std::size_t(block_lanes * field_count);
   static_assert(block_lanes % Lanes::width == 0, "a block is whole packets");
+
+  static std::size_t first_field(int index) {
+    return std::size_t(index / block_lanes) * block_size + std::size_t(index % block_lanes);
+  }
 
   std::vector<float> fields_;
   int size_ = 0;

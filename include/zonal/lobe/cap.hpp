@@ -5,14 +5,12 @@
 // (1-x^2) P_l'(x) = l(l+1)/(2l+1) (P_(l-1)(x) - P_(l+1)(x)) gives, with P_l' = l(l+1)/2 e_l and t = 1 - cos a,
 //
 //   z_l = sqrt(pi (2l+1)) / 2 sin^2 a e_l,   e_1 = 1,   e_l = e_(l-1) + d_l,
-//   d_1 = 0,   d_l = ((l-2) d_(l-1) - (2l-1) t e_(l-1)) / (l+1)
+//   d_1 = 0,   d_l = ((l-2) d_(l-1) - (2l-1) t e_(l-1)) / (l+1)                  (basis/difference_step.hpp, m = 1)
 //
 // where nothing cancels. Beyond the hemisphere z_l(pi - a) = (-1)^(l+1) z_l(a) for l >= 1.
 //
 // The derivative is the integrand at the edge, dz_l/da = sqrt(pi (2l+1)) sin a P_l(cos a), without the division by
-// sin^2 a of [2, Eq. 14-16]; P_l too by its differences,
-//
-//   P_l = P_(l-1) + p_l,   p_l = ((l-1) p_(l-1) - (2l-1) t P_(l-1)) / l
+// sin^2 a of [2, Eq. 14-16]; P_l too by its differences, m = 0.
 //
 // [1] Mezieres et al., Harmonics Virtual Lights, CGF 41(6), 2022.
 // [2] Mezieres et al., Recursive analytic spherical harmonics gradient for spherical lights, CGF 41(2), 2022.
@@ -22,6 +20,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "../basis/difference_step.hpp"
 #include "../basis/normalisation.hpp"
 #include "../basis/sh.hpp"
 #include "../scalar/scalar.hpp"
@@ -75,37 +74,55 @@ ZONAL_INLINE constexpr T cap_step(const T& t, const T& e, const T& d) {
   } else if constexpr (l == 2) {
     return -(t * e);
   } else {
-    constexpr auto of_step = rounded<T>((l - 2.0L) / (l + 1)), of_sum = rounded<T>((2 * l - 1.0L) / (l + 1));
-    return T(of_step) * d - T(of_sum) * (t * e);
+    constexpr auto of_step = rounded<T>(difference_of_step(l, 1)), of_sum = rounded<T>(difference_of_sum(l, 1));
+    return next_difference(T(of_step), T(of_sum), t, e, d);
   }
 }
+
+// All times sin^2 a: e_l and d_l. For a cap narrow against the bands e_l stays near its first value, and adding each
+// small d_l to it would round them away; so the d_l are summed apart. For a wide one e_l itself becomes small, and is
+// summed.
+constexpr long double narrow_cap_cosine(int bands) { return 1 - 6.0L / (bands * bands); }
+
+template <class T>
+struct CapSums {
+  mask_t<T> is_small;
+  T cosine, sin2, t;  // t = 1 - |cos a|
+  T zeroth;           // 2 (1 - cos a)
+  T apart, e, d, sum;
+  T even_sign;  // a cap and its complement differ in the even degrees
+
+  ZONAL_INLINE constexpr CapSums(const SphericalCap<T>& cap, const T& narrow)
+      : is_small(T(0) < cap.cos_angle),
+        cosine(abs(cap.cos_angle)),
+        sin2(cap.sin_angle * cap.sin_angle),
+        t(versine(cap)),
+        zeroth(T(2) * select(is_small, t, T(1) + cosine)),
+        apart(select(narrow < cosine, sin2, T(0))),
+        e(sin2),
+        d(T(0)),
+        sum(sin2 - apart),
+        even_sign(select(is_small, T(1), T(-1))) {}
+  // d_l, from which e_l follows.
+  ZONAL_INLINE constexpr void add(const T& next) {
+    d = next;
+    sum = sum + d;
+    e = apart + sum;
+  }
+};
 
 // z_l without its constant, 2 z_l / sqrt(pi (2l+1)), to sink(l, value): sin^2 a e_l, and 2 (1 - cos a) for l = 0.
 template <int N, class T, class Sink>
 ZONAL_INLINE constexpr void cap_sums(const SphericalCap<T>& cap, Sink&& sink) {
-  const auto is_small = T(0) < cap.cos_angle;
-  const T cosine = abs(cap.cos_angle);
-  const T sin2 = cap.sin_angle * cap.sin_angle;
-  const T t = versine(cap);
-  sink(Index<0>{}, T(2) * select(is_small, t, T(1) + cosine));
-
-  // All times sin^2 a: e_l and d_l. For a cap narrow against the bands e_l stays near its first value, and adding each
-  // small d_l to it would round them away; so the d_l are summed apart. For a wide one e_l itself becomes small, and is
-  // summed.
-  constexpr auto narrow = rounded<T>(1 - 6.0L / (N * N));
-  const T apart = select(T(narrow) < cosine, sin2, T(0));
-  T e = sin2, d = T(0), sum = sin2 - apart;
-  const T even_sign = select(is_small, T(1), T(-1));  // a cap and its complement differ in the even degrees
+  constexpr auto narrow = rounded<T>(narrow_cap_cosine(N));
+  CapSums<T> sums(cap, T(narrow));
+  sink(Index<0>{}, sums.zeroth);
   unroll<1, N>([&](auto l) ZONAL_INLINE {
-    d = cap_step<l>(t, e, d);
-    if constexpr (l > 1) {
-      sum = sum + d;
-      e = apart + sum;
-    }
+    if constexpr (l > 1) sums.add(cap_step<l>(sums.t, sums.e, sums.d));
     if constexpr (l % 2 == 1) {
-      sink(l, e);
+      sink(l, sums.e);
     } else {
-      sink(l, even_sign * e);
+      sink(l, sums.even_sign * sums.e);
     }
   });
 }
@@ -133,8 +150,8 @@ ZONAL_INLINE constexpr void cap_legendre(const SphericalCap<T>& cap, Sink&& sink
   unroll<0, N>([&](auto l) ZONAL_INLINE {
     if constexpr (l == 1) step = -t;
     if constexpr (l > 1) {
-      constexpr auto of_step = rounded<T>((l - 1.0L) / l), of_sum = rounded<T>((2 * l - 1.0L) / l);
-      step = T(of_step) * step - T(of_sum) * (t * legendre);
+      constexpr auto of_step = rounded<T>(difference_of_step(l, 0)), of_sum = rounded<T>(difference_of_sum(l, 0));
+      step = next_difference(T(of_step), T(of_sum), t, legendre, step);
     }
     if constexpr (l > 0) legendre = legendre + step;
     if constexpr (l % 2 == 1) {

@@ -24,6 +24,14 @@ struct PhongLobe {
   T exponent;
 };
 
+namespace detail {
+// I_l / I_(l-2).
+template <class T>
+ZONAL_INLINE constexpr T phong_ratio(const T& n, int l) {
+  return (n - T(l - 2)) / (n + T(l + 1));
+}
+}  // namespace detail
+
 /// Its zonal coefficients to sink(l, value).
 template <int N, class T, class Sink>
 ZONAL_INLINE constexpr void project(const PhongLobe<T>& lobe, Sink&& sink) {
@@ -32,7 +40,7 @@ ZONAL_INLINE constexpr void project(const PhongLobe<T>& lobe, Sink&& sink) {
   unroll<0, N>([&](auto l) ZONAL_INLINE {
     constexpr auto normalisation = rounded<T>(detail::zonal_normalisation<l>);
     T& integral = l % 2 == 0 ? even : odd;
-    if constexpr (l >= 2) integral = integral * ((n - T(l - 2)) / (n + T(l + 1)));
+    if constexpr (l >= 2) integral = integral * detail::phong_ratio(n, l);
     sink(l, T(normalisation) * integral);
   });
 }

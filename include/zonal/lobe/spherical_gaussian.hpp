@@ -28,41 +28,62 @@ struct SphericalGaussian {
   T sharpness;
 };
 
-/// Its zonal coefficients to sink(l, value).
-template <int N, class T, class Sink>
-ZONAL_INLINE constexpr void project(const SphericalGaussian<T>& lobe, Sink&& sink) {
-  constexpr int start = 4 * N + 8;
-  const T lambda = lobe.sharpness, lambda2 = lambda * lambda;
-
-  // Downward: the ratios, and sum = 1 + rho_1 (3 + rho_2 (5 + ...)) = e^lambda / i_0.
-  Zh<N, T> ratio{};
+namespace detail {
+// Downward: the ratios, rho_l to ratios[l] for 1 <= l < bands; returns 1 + rho_1 (3 + rho_2 (5 + ...)) = e^lambda /
+// i_0.
+template <class T>
+ZONAL_INLINE constexpr T gaussian_ratios(const T& lambda, int bands, T* ratios) {
+  const int start = 4 * bands + 8;
+  const T lambda2 = lambda * lambda;
   T rho = lambda / (T(start) + sqrt(T(start * (start + 1)) + lambda2));
   T sum = T(2 * start + 1);
   for (int l = start - 1; l >= 1; --l) {
     sum = T(2 * l + 1) + rho * sum;
     rho = lambda / (T(2 * l + 1) + lambda * rho);
-    if (l < N) ratio.values[l] = rho;
+    if (l < bands) ratios[l] = rho;
   }
-  sum = T(1) + rho * sum;
+  return T(1) + rho * sum;
+}
 
-  // e^-lambda i_l by both ways. Each divides by a safe value where it is not selected.
-  const auto is_tiny = lambda < T(1);
-  const auto is_sharp = T(0.5L * N * N) < lambda;
-  const T safe = maximum(lambda, T(1));
-  const T fall = exp(T(-2) * safe);
-  const T i0 = select(is_tiny, T(1) / sum, (T(1) - fall) / (safe + safe));
-  T before = i0, upward = ((T(1) + fall) * T(0.5L) - i0) / safe, downward = i0;
-  constexpr auto scale_0 = rounded<T>(4 * kPi * detail::zonal_normalisation<0>);
-  sink(Index<0>{}, T(scale_0) * i0);
-  unroll<1, N>([&](auto l) ZONAL_INLINE {
-    constexpr auto scale = rounded<T>(4 * kPi * detail::zonal_normalisation<l>);
-    if constexpr (l > 1) {
+// e^-lambda i_l by both ways, from l = 0 upwards. Each divides by a safe value where it is not selected.
+template <class T>
+struct GaussianIntegrals {
+  mask_t<T> is_tiny, is_sharp;
+  T safe, fall, i0, before, upward, downward;
+
+  ZONAL_INLINE constexpr GaussianIntegrals(const T& lambda, const T& sum, int bands)
+      : is_tiny(lambda < T(1)),
+        is_sharp(T(0.5L * bands * bands) < lambda),
+        safe(maximum(lambda, T(1))),
+        fall(exp(T(-2) * safe)),
+        i0(select(is_tiny, T(1) / sum, (T(1) - fall) / (safe + safe))),
+        before(i0),
+        upward(((T(1) + fall) * T(0.5L) - i0) / safe),
+        downward(i0) {}
+  // Degree l >= 1 from the one before.
+  ZONAL_INLINE constexpr T next(int l, const T& ratio) {
+    if (l > 1) {
       const T next = before - T(2 * l - 1) / safe * upward;
       before = upward;
       upward = next;
     }
-    downward = downward * ratio.values[l];
-    sink(l, T(scale) * select(is_sharp, upward, downward));
+    downward = downward * ratio;
+    return select(is_sharp, upward, downward);
+  }
+};
+}  // namespace detail
+
+/// Its zonal coefficients to sink(l, value).
+template <int N, class T, class Sink>
+ZONAL_INLINE constexpr void project(const SphericalGaussian<T>& lobe, Sink&& sink) {
+  Zh<N, T> ratio{};
+  const T sum = detail::gaussian_ratios(lobe.sharpness, N, ratio.values);
+  detail::GaussianIntegrals<T> integrals(lobe.sharpness, sum, N);
+  constexpr auto scale_0 = rounded<T>(4 * kPi * detail::zonal_normalisation<0>);
+  sink(Index<0>{}, T(scale_0) * integrals.i0);
+  unroll<1, N>([&](auto l) ZONAL_INLINE {
+    constexpr auto scale = rounded<T>(4 * kPi * detail::zonal_normalisation<l>);
+    sink(l, T(scale) * integrals.next(l, ratio.values[l]));
   });
 }
 

@@ -45,25 +45,33 @@ class HvlTree {
   HvlTree() = default;
   template <class ForEach = SerialForEach>
   explicit HvlTree(const HvlCache<NE>& lights, const ForEach& for_each = {}) {
-    const auto& isotropic = lights.isotropic();
-    const auto& anisotropic = lights.anisotropic();
     tree_ = LightTree<NE>(
-        lights.size(),
-        [&](int i) {
-          return i < isotropic.size() ? tree_light(isotropic.record(i))
-                                      : tree_light(anisotropic.record(i - isotropic.size()));
-        },
-        for_each);
+        lights.size(), [&](int i) { return of_cache(lights, i); }, for_each);
     // In the tree's order, for what is drawn together lies near together.
-    if (anisotropic.size() > 0) ranks_.reserve(std::size_t(size()));
+    const bool mixed = lights.anisotropic().size() > 0;
+    if (mixed) ranks_.resize(std::size_t(size()));
+    const int isotropic = lights.isotropic().size();
     for (int place = 0; place < size(); ++place) {
       const int light = tree_.light_at(place);
-      if (light < isotropic.size()) {
-        if (anisotropic.size() > 0) ranks_.push_back(int(isotropic_.size()));
-        isotropic_.push_back(isotropic.record(light));
+      if (light < isotropic) {
+        if (mixed) ranks_[std::size_t(place)] = int(isotropic_.size());
+        isotropic_.push_back(lights.isotropic().record(light));
       } else {
-        ranks_.push_back(~int(anisotropic_.size()));
-        anisotropic_.push_back(anisotropic.record(light - isotropic.size()));
+        ranks_[std::size_t(place)] = ~int(anisotropic_.size());
+        anisotropic_.push_back(lights.anisotropic().record(light - isotropic));
+      }
+    }
+  }
+
+  /// The cache has other lights at these numbers now (HvlCache::replace): LightTree::update.
+  void update(const HvlCache<NE>& lights, const std::vector<int>& changed) {
+    tree_.update(changed, [&](int i) { return of_cache(lights, i); });
+    for (const int light : changed) {
+      const int r = rank(tree_.place_of(light));
+      if (r >= 0) {
+        isotropic_[std::size_t(r)] = lights.isotropic().record(light);
+      } else {
+        anisotropic_[std::size_t(~r)] = lights.anisotropic().record(light - lights.isotropic().size());
       }
     }
   }
@@ -112,6 +120,12 @@ class HvlTree {
   }
 
  private:
+  static TreeLight<NE> of_cache(const HvlCache<NE>& lights, int i) {
+    const int isotropic = lights.isotropic().size();
+    return i < isotropic ? tree_light(lights.isotropic().record(i))
+                         : tree_light(lights.anisotropic().record(i - isotropic));
+  }
+
   int rank(int place) const { return ranks_.empty() ? place : ranks_[std::size_t(place)]; }
 
   void prefetch(int place) const {

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include <glm/common.hpp>
@@ -56,7 +58,7 @@ struct LightNode {
   int size() const { return last - first; }
 };
 
-/// Nodes stand level by level, the root first. 128 bytes a node with one band of emission, 224 with three; half as many
+/// Nodes stand level by level, the root first. 132 bytes a node with one band of emission, 228 with three; half as many
 /// nodes as lights, or twice as many where lights are few.
 template <int NE>
 class LightTree {
@@ -83,18 +85,20 @@ class LightTree {
       for_each(levels[level + 1] - levels[level],
                [&](int i) { summarise(nodes_[std::size_t(levels[level] + i)], of_index); });
     }
-    sums_.resize(places.size() + 1, 0.0);
-    add_up(0, of_index);
+    places_.resize(places.size());
+    for (int place = 0; place < size(); ++place) places_[std::size_t(light_at(place))] = place;
+    add_up(of_index);
   }
 
   int size() const { return int(order_.size()); }
   std::size_t bytes() const {
-    return nodes_.size() * sizeof(LightNode<NE>) + order_.size() * (sizeof(int) + sizeof(double));
+    return nodes_.size() * sizeof(LightNode<NE>) + order_.size() * (2 * sizeof(int) + sizeof(double));
   }
   const std::vector<LightNode<NE>>& nodes() const { return nodes_; }
   const LightNode<NE>& node(int index) const { return nodes_[std::size_t(index)]; }
   /// The caller's number of the light that stands at `place` of the tree's order.
   int light_at(int place) const { return order_[std::size_t(place)]; }
+  int place_of(int light) const { return places_[std::size_t(light)]; }
   /// The weights of all lights before a place, 0 to size().
   double weight_before(int place) const { return sums_[std::size_t(place)]; }
 
@@ -129,25 +133,33 @@ class LightTree {
     return low;
   }
 
-  /// The light at a place of the order is another now: light(i) -> TreeLight<NE> as for the whole tree, asked for those
-  /// of one leaf. Its clusters are bounded anew, less tightly than by a new tree. What it costs grows with the depth of
-  /// the tree, and where the weight changes by one addition for each light behind it.
+  /// These lights, by the caller's numbers, are others now: light(i) -> TreeLight<NE> as for the whole tree, asked for
+  /// all of their leaves. Their clusters are bounded anew, less tightly than by a new tree. What it costs grows with
+  /// the number of clusters above them and, where a weight changes, by one addition for each light behind it in the
+  /// tree's order.
   template <class Light>
-  void update(int place, const Light& light) {
-    std::vector<int> above;
-    int n = 0;
-    while (node(n).children != 0) {
-      above.push_back(n);
-      const int second = node(n).children + 1;
-      n = node(second).first <= place ? second : node(n).children;
+  void update(const std::vector<int>& changed, const Light& light) {
+    std::vector<int> clusters, places;
+    for (const int i : changed) {
+      places.push_back(place_of(i));
+      for (int n = 0; node(n).children != 0;) {
+        clusters.push_back(n);
+        const int second = node(n).children + 1;
+        n = node(second).first <= places.back() ? second : node(n).children;
+        if (node(n).children == 0) clusters.push_back(n);
+      }
     }
-    summarise(nodes_[std::size_t(n)], light);
-    for (; !above.empty(); above.pop_back()) join_children(nodes_[std::size_t(above.back())]);
-    const double before = weight_before(place + 1) - weight_before(place);
-    const double change = double(weight_of(light(light_at(place)))) - before;
-    if (std::abs(change) > 1e-6 * before) {
-      for (int i = place + 1; i <= size(); ++i) sums_[std::size_t(i)] += change;
+    // Children have higher numbers than their parents.
+    std::sort(clusters.begin(), clusters.end(), std::greater<int>());
+    clusters.erase(std::unique(clusters.begin(), clusters.end()), clusters.end());
+    if (node(0).children == 0) clusters.push_back(0);
+    for (const int n : clusters) {
+      LightNode<NE>& cluster = nodes_[std::size_t(n)];
+      cluster.children == 0 ? summarise(cluster, light) : join_children(cluster);
     }
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    add_changes(places, light);
   }
 
   static float weight_of(const TreeLight<NE>& light) {
@@ -284,14 +296,31 @@ class LightTree {
   }
 
   template <class Light>
-  void add_up(int place, const Light& light) {
-    for (; place < size(); ++place) {
+  void add_up(const Light& light) {
+    sums_.resize(order_.size() + 1, 0.0);
+    for (int place = 0; place < size(); ++place) {
       sums_[std::size_t(place) + 1] = sums_[std::size_t(place)] + double(weight_of(light(light_at(place))));
+    }
+  }
+  /// Sums behind places, in order, whose lights have changed.
+  template <class Light>
+  void add_changes(const std::vector<int>& places, const Light& light) {
+    std::vector<std::pair<int, double>> changes;  // of the weight at a place
+    for (const int place : places) {
+      const double before = weight_before(place + 1) - weight_before(place);
+      const double change = double(weight_of(light(light_at(place)))) - before;
+      if (std::abs(change) > 1e-6 * before) changes.emplace_back(place, change);
+    }
+    double sum = 0;
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+      sum += changes[i].second;
+      const int next = i + 1 < changes.size() ? changes[i + 1].first : size();
+      for (int place = changes[i].first; place < next; ++place) sums_[std::size_t(place) + 1] += sum;
     }
   }
 
   std::vector<LightNode<NE>> nodes_;
-  std::vector<int> order_;
+  std::vector<int> order_, places_;  // the light at each place, and the place of each light
   std::vector<double> sums_;
 };
 

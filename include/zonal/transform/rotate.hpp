@@ -71,19 +71,24 @@ struct TurnAboutZ {
 
 namespace detail {
 
+// An order and its opposite, turned by m times an angle.
+template <class Number, class C>
+ZONAL_INLINE constexpr void turn_pair(const Number& cosine, const Number& sine, const C& even, const C& odd, C& to_even,
+                                      C& to_odd) {
+  C turned_even = times(cosine, even), turned_odd = times(cosine, odd);
+  subtract_times(turned_even, sine, odd);
+  add_times(turned_odd, sine, even);
+  to_even = turned_even;
+  to_odd = turned_odd;
+}
+
 /// Degree l of a function turned about z: out[l + m] from in[l + m].
 template <int l, int N, class C, class T>
 ZONAL_INLINE constexpr void turn_degree(const C* in, const TurnAboutZ<N, T>& turn, C* out) {
   using Number = number_t<C>;
   out[l] = in[l];
   unroll<1, l + 1>([&](auto m) ZONAL_INLINE {
-    const Number cosine(turn.cosine[m]), sine(turn.sine[m]);
-    const C even = in[l + m], odd = in[l - m];
-    C turned_even = times(cosine, even), turned_odd = times(cosine, odd);
-    subtract_times(turned_even, sine, odd);
-    add_times(turned_odd, sine, even);
-    out[l + m] = turned_even;
-    out[l - m] = turned_odd;
+    turn_pair(Number(turn.cosine[m]), Number(turn.sine[m]), in[l + m], in[l - m], out[l + m], out[l - m]);
   });
 }
 

@@ -1,0 +1,101 @@
+// What many bands are held against: textbook formulas in 34 and 100 digits, by Boost.Multiprecision.
+#pragma once
+
+#include <boost/math/constants/constants.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+using Wide = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_quad::backend_type,
+                                           boost::multiprecision::et_off>;
+using Widest = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_100::backend_type,
+                                             boost::multiprecision::et_off>;
+using WideVector = std::array<Wide, 3>;
+
+/// A direction of any length, normalised.
+template <class T>
+WideVector wide_direction(const std::array<T, 3>& v) {
+  const Wide x = v[0], y = v[1], z = v[2], length = sqrt(x * x + y * y + z * z);
+  return {x / length, y / length, z / length};
+}
+
+/// Y_l^m and Y_l^-m of one order m and of the degrees l = m ... bands-1, from
+///   Y_l^m = K_l p_l Re (x+iy)^m,  K_l = sqrt(2 - [m = 0]) sqrt((2l+1)/(4 pi) (l-m)! (2m)! / (l+m)!),
+///   (l-m) p_l = (2l-1) z p_(l-1) - (l+m-1) p_(l-2),   p_m = (-1)^m (2m-1)!! / sqrt((2m)!)
+class WideColumn {
+ public:
+  WideColumn(int bands, int m) : bands_(bands), m_(m) {
+    for (int i = 1; i <= m; ++i) first_ *= -sqrt(Wide(2 * i - 1) / (2 * i));
+    Wide norm = sqrt((m == 0 ? 1 : 2) * Wide(2 * m + 1) / (4 * boost::math::constants::pi<Wide>()));
+    for (int l = m; l < bands; ++l) {
+      if (l > m) norm *= sqrt(Wide(2 * l + 1) * (l - m) / (Wide(2 * l - 1) * (l + m)));
+      norm_.push_back(norm);
+      of_last_.push_back(l > m ? Wide(2 * l - 1) / (l - m) : Wide(0));
+      of_second_.push_back(l > m ? Wide(l + m - 1) / (l - m) : Wide(0));
+    }
+  }
+  int order() const { return m_; }
+
+  /// sink(l, Y_l^m, Y_l^-m) at a unit vector.
+  template <class Sink>
+  void visit(const WideVector& v, const Sink& sink) const {
+    Wide c = 1, s = 0;
+    for (int i = 0; i < m_; ++i) {
+      const Wide next = v[0] * c - v[1] * s;
+      s = v[0] * s + v[1] * c;
+      c = next;
+    }
+    visit(v, c, s, sink);
+  }
+  /// The same where (x+iy)^m is at hand.
+  template <class Sink>
+  void visit(const WideVector& v, const Wide& c, const Wide& s, const Sink& sink) const {
+    Wide last = first_, second = 0;
+    for (int l = m_; l < bands_; ++l) {
+      const auto i = static_cast<std::size_t>(l - m_);
+      if (l > m_) {
+        const Wide next = of_last_[i] * v[2] * last - of_second_[i] * second;
+        second = last;
+        last = next;
+      }
+      const Wide q = norm_[i] * last;
+      sink(l, Wide(q * c), Wide(q * s));
+    }
+  }
+
+ private:
+  int bands_, m_;
+  Wide first_ = 1;
+  std::vector<Wide> norm_, of_last_, of_second_;
+};
+
+/// P_0(u) ... P_(count-1)(u).
+inline std::vector<Widest> widest_legendre(int count, const Widest& u) {
+  std::vector<Widest> p{1, u};
+  for (int l = 2; l < count; ++l) {
+    const auto i = static_cast<std::size_t>(l);
+    p.push_back(((2 * l - 1) * u * p[i - 1] - (l - 1) * p[i - 2]) / l);
+  }
+  p.resize(static_cast<std::size_t>(count));
+  return p;
+}
+
+/// e^-x i_l(x) of the modified spherical Bessel function, x > 0: by its power series, or far out by its finite sum.
+inline Widest scaled_bessel(int l, const Widest& x) {
+  Widest term = 1, sum = 1;
+  if (x < 2000) {  // x^l / (2l+1)!! sum of (x^2/2)^k / (k! (2l+3) (2l+5) ... (2l+2k+1))
+    for (int k = 1; term > sum * Widest(1e-40); ++k) {
+      term *= x * x / (2 * Widest(k) * (2 * l + 2 * k + 1));
+      sum += term;
+    }
+    for (int i = 1; i <= l; ++i) sum *= x / (2 * i + 1);
+    return sum * exp(-x);
+  }
+  for (int k = 1; k <= l; ++k) {  // sum of (-1)^k (l+k)! / (k! (l-k)! (2x)^k) / (2x), but for e^-2x
+    term *= -Widest(l + k) * (l - k + 1) / (k * 2 * x);
+    sum += term;
+  }
+  return sum / (2 * x);
+}

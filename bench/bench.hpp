@@ -33,6 +33,7 @@ void register_adjoint(const Effort& effort);
 void register_environment(const Effort& effort);
 void register_screen(const Effort& effort);
 void register_many_lights(const Effort& effort);
+void register_many_bands(const Effort& effort);
 /// Every kernel of the registry that the others have left out: they come first.
 void register_registry(const Effort& effort);
 /// All kernels of the registry, in its order: the names of their benchmarks, less the scalar's.

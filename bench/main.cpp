@@ -45,6 +45,7 @@ int run(int argc, char** argv) {
   register_environment(effort);
   register_screen(effort);
   register_many_lights(effort);
+  register_many_bands(effort);
   register_registry(effort);
   benchmark::Initialize(&count, arguments.data());
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;

@@ -50,6 +50,8 @@ class TableReporter : public benchmark::BenchmarkReporter {
     out << "\n";
     print_many_lights(out, results_);
     out << "\n";
+    print_many_bands(out, results_);
+    out << "\n";
     print_registry(out, results_);
     out.flush();
   }

@@ -27,6 +27,9 @@ void print_screen(std::ostream& out, const Results& results);
 /// The tree of many lights, step by step: no paper's.
 void print_many_lights(std::ostream& out, const Results& results);
 
+/// Bands known at run time beside unrolled kernels: no paper's.
+void print_many_bands(std::ostream& out, const Results& results);
+
 /// All kernels of the registry, those of the papers' tables among them.
 void print_registry(std::ostream& out, const Results& results);
 

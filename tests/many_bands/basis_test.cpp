@@ -64,9 +64,10 @@ Worst basis_error(const zonal::ManyBands<T>& bands, const std::vector<WideColumn
   for (const Vector3<T>& v : directions) {
     zonal::evaluate(bands, v, space, y.data());
     const WideVector exact = wide_direction(v);
+    WidePower power;
     for (const WideColumn& column : columns) {
       const int m = column.order();
-      column.visit(exact, [&](int l, const Wide& even, const Wide& odd) {
+      column.visit(exact, power, [&](int l, const Wide& even, const Wide& odd) {
         worst.meet(difference(y(l, m), even) / largest_of_degree(l), l, m, v);
         if (m > 0) worst.meet(difference(y(l, -m), odd) / largest_of_degree(l), l, -m, v);
       });
@@ -101,11 +102,13 @@ Worst gradient_error(const zonal::ManyBands<T>& bands, const std::vector<WideCol
       after[static_cast<std::size_t>(axis)] += h;
       before = wide_direction(before);
       after = wide_direction(after);
+      WidePower power_before, power_after;
       for (const WideColumn& column : columns) {
         const int m = column.order();
         std::vector<Wide> even, odd;
-        column.visit(before, [&](int, const Wide& a, const Wide& b) { even.push_back(a), odd.push_back(b); });
-        column.visit(after, [&](int l, const Wide& a, const Wide& b) {
+        column.visit(before, power_before,
+                     [&](int, const Wide& a, const Wide& b) { even.push_back(a), odd.push_back(b); });
+        column.visit(after, power_after, [&](int l, const Wide& a, const Wide& b) {
           if (l == 0) return;
           const auto i = static_cast<std::size_t>(l - m);
           const auto meet = [&](int order, const Wide& rise) {

@@ -21,6 +21,20 @@ WideVector wide_direction(const std::array<T, 3>& v) {
   return {x / length, y / length, z / length};
 }
 
+/// (x+iy)^m of growing m.
+struct WidePower {
+  Wide real = 1, imaginary = 0;
+  int m = 0;
+
+  void raise(const WideVector& v, int to) {
+    for (; m < to; ++m) {
+      const Wide next = v[0] * real - v[1] * imaginary;
+      imaginary = v[0] * imaginary + v[1] * real;
+      real = next;
+    }
+  }
+};
+
 /// Y_l^m and Y_l^-m of one order m and of the degrees l = m ... bands-1, from
 ///   Y_l^m = K_l p_l Re (x+iy)^m,  K_l = sqrt(2 - [m = 0]) sqrt((2l+1)/(4 pi) (l-m)! (2m)! / (l+m)!),
 ///   (l-m) p_l = (2l-1) z p_(l-1) - (l+m-1) p_(l-2),   p_m = (-1)^m (2m-1)!! / sqrt((2m)!)
@@ -38,20 +52,10 @@ class WideColumn {
   }
   int order() const { return m_; }
 
-  /// sink(l, Y_l^m, Y_l^-m) at a unit vector.
+  /// sink(l, Y_l^m, Y_l^-m) at a unit vector, of which `power` has a power up to the m-th.
   template <class Sink>
-  void visit(const WideVector& v, const Sink& sink) const {
-    Wide c = 1, s = 0;
-    for (int i = 0; i < m_; ++i) {
-      const Wide next = v[0] * c - v[1] * s;
-      s = v[0] * s + v[1] * c;
-      c = next;
-    }
-    visit(v, c, s, sink);
-  }
-  /// The same where (x+iy)^m is at hand.
-  template <class Sink>
-  void visit(const WideVector& v, const Wide& c, const Wide& s, const Sink& sink) const {
+  void visit(const WideVector& v, WidePower& power, const Sink& sink) const {
+    power.raise(v, m_);
     Wide last = first_, second = 0;
     for (int l = m_; l < bands_; ++l) {
       const auto i = static_cast<std::size_t>(l - m_);
@@ -61,7 +65,7 @@ class WideColumn {
         last = next;
       }
       const Wide q = norm_[i] * last;
-      sink(l, Wide(q * c), Wide(q * s));
+      sink(l, Wide(q * power.real), Wide(q * power.imaginary));
     }
   }
 

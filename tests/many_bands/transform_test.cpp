@@ -52,8 +52,9 @@ double rotation_error(int bands, const zonal::Rotation<2, T>& rotation, const Ve
   WideVector exact = turn(third, swap(turn(second, swap(turn(first, wide_direction(v))))));
   if (rotation.parity() < 0) exact = {-exact[0], -exact[1], -exact[2]};
   double worst = 0;
+  WidePower power;
   for (int m = 0; m < bands; m += m < 3 ? 1 : 1 + m / 3) {
-    WideColumn(bands, m).visit(exact, [&](int l, const Wide& even, const Wide& odd) {
+    WideColumn(bands, m).visit(exact, power, [&](int l, const Wide& even, const Wide& odd) {
       const auto meet = [&](int order, const Wide& value) {
         const double e = std::abs(static_cast<double>(Wide(turned(l, order)) - value)) / largest_of_degree(l);
         if (!(e <= worst)) worst = e;

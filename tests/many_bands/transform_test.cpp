@@ -4,6 +4,8 @@
 #include <zonal/many_bands/transform.hpp>
 #include <zonal/zonal.hpp>
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

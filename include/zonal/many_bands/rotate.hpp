@@ -82,7 +82,7 @@ class SwapOfDegree {
     find_corner(l);
     double* const last = last_.data();
     double* const second = second_.data();
-    last[0] = corner_;
+    last[0] = static_cast<double>(corner_);
     for (int m = 1; m <= l; ++m) last[m] = last[m - 1] * static_cast<double>(detail::next_swap_edge(l, m, 1));
     for (int m = 0; m <= l; ++m) second[m] = 0;
     for (int k = l; k >= 0; --k) {
@@ -130,8 +130,8 @@ class SwapOfDegree {
   }
   // v_l of m = 0; from that of the degree before where it is known.
   void find_corner(int l) {
-    if (corner_degree_ > l) corner_degree_ = 0, corner_ = static_cast<double>(1 / detail::swap_of_zero);
-    while (corner_degree_ < l) corner_ = static_cast<double>(detail::next_swap_corner(++corner_degree_, corner_));
+    if (corner_degree_ > l) corner_degree_ = 0, corner_ = 1 / detail::swap_of_zero;
+    while (corner_degree_ < l) corner_ = detail::next_swap_corner(++corner_degree_, corner_);
   }
   void next_row(int l, double of_next, double of_second) {
     double* __restrict const last = last_.data();
@@ -144,7 +144,7 @@ class SwapOfDegree {
   }
 
   int degree_ = 0, corner_degree_ = 0;
-  double corner_ = static_cast<double>(1 / detail::swap_of_zero);
+  long double corner_ = 1 / detail::swap_of_zero;
   std::vector<T> entries_;
   std::vector<double> last_, second_;
 };

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../accuracy_table.hpp"
+#include "../accuracy.hpp"
 #include "../catch.hpp"
 #include "../csv.hpp"
 #include "directions.hpp"

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "../accuracy_table.hpp"
+#include "../accuracy.hpp"
 #include "../catch.hpp"
 #include "directions.hpp"
 

@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "../accuracy_table.hpp"
+#include "../accuracy.hpp"
 #include "../catch.hpp"
 #include "directions.hpp"
 

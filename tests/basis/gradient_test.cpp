@@ -10,7 +10,7 @@
 #include <map>
 #include <string>
 
-#include "../accuracy_table.hpp"
+#include "../accuracy.hpp"
 #include "../catch.hpp"
 #include "../csv.hpp"
 #include "directions.hpp"

@@ -7,33 +7,11 @@
 #include <sstream>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "../../bench/rivals.hpp"
-#include "kernel_checks.hpp"
-#include "shader_functions.hpp"
+#include "subjects.hpp"
 
 namespace {
-
-using zonal::shader::all_orders;
-
-const std::vector<KernelRuns>& all_kernels() {
-  static const std::vector<KernelRuns> all = [] {
-    std::vector<KernelRuns> kernels;
-    append_basis_runs(kernels);
-    append_scene_runs(kernels);
-    append_unwritten_runs(kernels);
-    return kernels;
-  }();
-  return all;
-}
-
-Subject subject_of(const KernelRuns& kernel) {
-  return {kernel,
-          kernel.record != nullptr ? kernel.record(all_orders)
-                                   : zonal_glsl::find_function(kernel.name)->record(run_bands, all_orders),
-          accuracy_of(kernel.name, kAnyScalar, run_bands)};
-}
 
 template <class Check>
 void for_every_kernel(Check check) {

@@ -66,11 +66,11 @@ struct Subject {
   /// Every output within so many epsilons of the unit.
   template <class T>
   void require_close(const std::vector<T>& outputs, const std::vector<long double>& expected, double epsilon_of) const {
-    const long double unit = std::max(largest(expected), promise.unit == kUlpOfLargest ? 0 : typical);
+    const long double unit = std::max(largest(expected), promise.unit == zonal::accuracy::kUlpOfLargest ? 0 : typical);
     for (std::size_t i = 0; i < outputs.size(); ++i) {
       const long double error = std::abs(static_cast<long double>(outputs[i]) - expected[i]);
       if (error > 0) worst = std::max(worst, static_cast<double>(error / unit / static_cast<long double>(epsilon_of)));
-      if (error <= static_cast<long double>(promise.bound * epsilon_of) * unit) continue;
+      if (error <= static_cast<long double>(promise.common * epsilon_of) * unit) continue;
       CAPTURE(i, outputs[i], static_cast<double>(expected[i]), static_cast<double>(unit), worst);
       FAIL_CHECK("beyond the bound");
       return;

@@ -11,7 +11,7 @@
 #include <tuple>
 #include <vector>
 
-#include "../accuracy_table.hpp"
+#include "../accuracy.hpp"
 
 using FloatPacket = zonal::Packet<float, 8>;
 using DoublePacket = zonal::Packet<double, 4>;

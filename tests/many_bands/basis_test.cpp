@@ -14,7 +14,7 @@
 #include <xmmintrin.h>
 #endif
 
-#include "../accuracy_table.hpp"
+#include "../accuracy.hpp"
 #include "../catch.hpp"
 #include "directions.hpp"
 #include "multiprecision.hpp"

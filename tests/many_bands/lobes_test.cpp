@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "../accuracy_table.hpp"
+#include "../accuracy.hpp"
 #include "../catch.hpp"
 #include "multiprecision.hpp"
 

@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "../accuracy_table.hpp"
+#include "../accuracy.hpp"
 #include "../catch.hpp"
 #include "directions.hpp"
 #include "multiprecision.hpp"

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <random>
 
-#include "../accuracy_table.hpp"
+#include "../accuracy.hpp"
 #include "../catch.hpp"
 
 namespace {

@@ -13,7 +13,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "../accuracy_table.hpp"
+#include "../accuracy.hpp"
 #if defined(__SSE__)
 #include <xmmintrin.h>
 #endif

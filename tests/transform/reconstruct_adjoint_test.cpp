@@ -16,7 +16,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "../accuracy_table.hpp"
+#include "../accuracy.hpp"
 #include "../basis/directions.hpp"
 #include "../catch.hpp"
 

@@ -60,7 +60,7 @@ ZONAL_INLINE constexpr T arcsine(const T& x) {
 }
 }  // namespace detail
 
-/// asin(x) in radians for -1 <= x <= 1. Greatest error 2 ulp of the result.
+/// asin(x) in radians for -1 <= x <= 1. Greatest error 2.1 ulp of the result.
 template <class T>
 ZONAL_INLINE constexpr IfNotInteger<T, T> asin(const T& x) {
   const T result = detail::arcsine(abs(x));

@@ -60,7 +60,11 @@ std::string accuracy_document() {
           "half of the directions at a sine of 1 down to the least normal number:\n\n"
        << accuracy_columns;
   for (const Accuracy& row : kOfManyBands) text << accuracy_row(row, "");
-  text << "\nOther functions:\n\n" << accuracy_columns;
+  text << "\nOther functions. Not listed are those that run these over data: gathers, sums of grids, pictures, fields "
+          "and\n"
+          "screens, fits, plans and files. Their results hang on the data; the tests of their rooms set them against\n"
+          "definitions and references.\n\n"
+       << accuracy_columns;
   for (const Accuracy& row : kFunctions) text << accuracy_row(row, "");
   return text.str();
 }

@@ -112,8 +112,10 @@ double condition_of(const Matrix& rows) {
 struct Colour {
   float c[3];
   float operator[](int i) const { return c[i]; }
-  friend Colour operator+(const Colour& a, const Colour& b) { return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}}; }
-  friend Colour operator*(const Colour& a, float s) { return {{a[0] * s, a[1] * s, a[2] * s}}; }
+  [[maybe_unused]] friend Colour operator+(const Colour& a, const Colour& b) {
+    return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}};
+  }
+  [[maybe_unused]] friend Colour operator*(const Colour& a, float s) { return {{a[0] * s, a[1] * s, a[2] * s}}; }
 };
 
 }  // namespace

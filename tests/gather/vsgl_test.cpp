@@ -130,7 +130,7 @@ TEST_CASE(
           Lobe{zonal::PhongBrdf{glm::vec3(0.7F), 60}, 0.02, 0.25}}) {
       for (const double sharpness : {20000.0, 50.0}) {
         double expected = 0;
-        for_each_direction(mirror, [&](const glm::dvec3& w, double solid_angle) {
+        for_each_direction(mirror, [&, &brdf = brdf](const glm::dvec3& w, double solid_angle) {
           if (w.z <= 0) return;
           expected += solid_angle * gaussian(w, mirror, sharpness) * zonal::evaluate(brdf, w, glm::dvec3(wo)).x * w.z;
         });
@@ -295,7 +295,7 @@ TEST_CASE("vsgl of 2024: one texel sends above its surface what it reflects, abo
     const auto lights = zonal::make_gaussian_lights<zonal::Vsgl::of_2024>(&texel, 1, 1);
     REQUIRE(lights.size() == 1);
     glm::dvec3 sent(0), sent_towards(0), reflected(0), reflected_towards(0);
-    for_each_direction({0, 0, 1}, [&](const glm::dvec3& w, double solid_angle) {
+    for_each_direction({0, 0, 1}, [&, &lobe = lobe](const glm::dvec3& w, double solid_angle) {
       if (w.z <= 0) return;
       const double weight = solid_angle * gaussian(w, glm::dvec3(lights[0].axis), double(lights[0].sharpness));
       sent += weight * glm::dvec3(lights[0].coefficient);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <random>
+#include <stdexcept>
 #include <vector>
 
 #include "../accuracy.hpp"
@@ -161,6 +162,16 @@ TEST_CASE("many bands: several functions of colours are rotated as each of their
       CHECK(worst <= 1e-13);
     }
   }
+}
+
+TEST_CASE("many bands: functions of fewer bands than a kernel has are refused") {
+  const zonal::ManyBands<double> bands(5);
+  const Vector3<double> v{0, 0.6, 0.8};
+  CHECK_THROWS_WITH(zonal::reconstruct(bands, zonal::ManySh<double>(4), v),
+                    "reconstruct: a function of 4 bands, where 5 are needed");
+  CHECK_THROWS_AS(zonal::orient(bands, zonal::ManyZh<double>(4), v), std::invalid_argument);
+  CHECK_THROWS_AS(zonal::convolve(bands, zonal::ManySh<double>(5), zonal::ManyZh<double>(4)), std::invalid_argument);
+  CHECK_THROWS_AS(zonal::rotate(zonal::ManySh<double>(5), zonal::ManyTurn<double>(4, 1, 0)), std::invalid_argument);
 }
 
 TEST_CASE("many bands: rotations of more bands than the exchange of y and z has numbers for are refused") {

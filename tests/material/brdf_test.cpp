@@ -14,7 +14,7 @@ TEST_CASE("brdf: reciprocal, isotropic, even in phi, zero at and below the horiz
       const glm::vec3 wi = random.direction(), wo = random.direction();
       CAPTURE(name, wi.x, wi.y, wi.z, wo.x, wo.y, wo.z);
       const glm::vec3 f = evaluate(brdf, wi, wo);
-      const auto same = [&](const glm::vec3& a, const glm::vec3& b, float bound) {
+      const auto same = [&, &brdf = brdf](const glm::vec3& a, const glm::vec3& b, float bound) {
         const glm::vec3 g = evaluate(brdf, a, b);
         for (int c = 0; c < 3; ++c) CHECK(std::abs(f[c] - g[c]) <= bound * (f[c] + 1e-6F));
       };

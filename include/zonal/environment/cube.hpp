@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "../scalar/index.hpp"
 #include "../scalar/vector3.hpp"
 #include "solid_angle.hpp"
 
@@ -139,7 +140,7 @@ struct Cube {
   }
   double nearest_to_middle(int i) const { return detail::within(0.5 * size, i, i + 1); }
   double edge(int i) const { return double(2 * i - size) / size; }
-  static int nearest(double place, int last) { return place < 0 ? 0 : place > last ? last : static_cast<int>(place); }
+  static int nearest(double place, int last) { return detail::index_below(place, last); }
   static void set(std::array<double, 3>& v, SignedAxis axis, double value) {
     v[static_cast<std::size_t>(detail::axis_of(axis))] = detail::sign_of(axis) * value;
   }

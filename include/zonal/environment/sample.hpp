@@ -37,7 +37,7 @@ class FurtherUniform {
   }
 
  private:
-  static std::uint64_t bits(double u) { return static_cast<std::uint64_t>(u * 0x1p53); }
+  static std::uint64_t bits(double u) { return static_cast<std::uint64_t>(u * 0x1p53); }  // of [0, 1)
   std::uint64_t state_;
 };
 
@@ -77,9 +77,9 @@ class EnvironmentSampler {
   /// angle.
   double integral() const { return total_; }
 
-  /// u and v in [0, 1), uniform and independent.
+  /// u and v in [0, 1), uniform and independent; others are taken for the nearest such number, NaN for 0.
   DirectionSample<double> sample(double u, double v) const {
-    return visit([&](const auto& mapping) { return sample(mapping, u, v); });
+    return visit([&](const auto& mapping) { return sample(mapping, share(u, 1), share(v, 1)); });
   }
 
   /// The density, 1/sr, of a unit vector.
@@ -100,7 +100,10 @@ class EnvironmentSampler {
   auto visit(const Visit& visit) const {
     return std::visit(visit, mapping_);
   }
-  static double share(double part, double whole) { return (std::min)((std::max)(part / whole, 0.0), 1 - 0x1p-53); }
+  // Of what is no number, 0.
+  static double share(double part, double whole) {
+    return part / whole > 0 ? (std::min)(part / whole, 1 - 0x1p-53) : 0;
+  }
 
   double luminance(int column, int row) const {
     if (is_uniform_) return 1;
@@ -164,8 +167,11 @@ class EnvironmentSampler {
   DirectionSample<double> within(const M& mapping, int column, int row, double u, double v) const {
     detail::FurtherUniform further(u, v);
     const double densest = mapping.densest(column, row);
-    double x = column + u, y = row + v;
-    while (mapping.density(x, y) < densest * further()) x = column + further(), y = row + further();
+    const auto in_texel = [](int first, double share) { return detail::within(first + share, first, first + 1); };
+    double x = in_texel(column, u), y = in_texel(row, v);
+    while (mapping.density(x, y) < densest * further()) {
+      x = in_texel(column, further()), y = in_texel(row, further());
+    }
     const std::array<double, 3> d = mapping.direction(x, y);
     return {d[0], d[1], d[2], pdf_of(mapping, column, row)};
   }

@@ -33,6 +33,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "../scalar/index.hpp"
 #include "../scalar/lanes.hpp"
 #include "../scalar/vector3.hpp"
 #include "buckets.hpp"
@@ -68,10 +69,13 @@ struct Resampling {
 class DirectionPlane {
  public:
   /// Of rays along `direction`, of any length, through a box of resolution - 1 cells. visit(add) calls add(position,
-  /// sample) for all samples, positions anywhere on their rays. False where none came near the box.
+  /// sample) for all samples, positions anywhere on their rays. False where none came near the box, or where the
+  /// direction is none: its square is 0, or more than a float holds, or no number.
   template <class Visit>
   bool make(const glm::vec3& direction, const glm::ivec3& resolution, const Resampling& resampling,
             const Visit& visit) {
+    const float length2 = glm::dot(direction, direction);
+    if (!(length2 > 0 && length2 <= (std::numeric_limits<float>::max)())) return false;
     set_plane(direction, resolution, 1);
     float samples = 0;
     visit([&](const glm::vec3& position, const RadianceSample&) { samples += is_near(place(position)) ? 1.0F : 0.0F; });
@@ -97,7 +101,7 @@ class DirectionPlane {
   /// Radiance at a place, bilinear: red, green, blue, and 1.
   ZONAL_INLINE Lanes<float, 4> radiance(float x, float y) const {
     using Point = Lanes<float, 4>;
-    const int column = int(x), row = int(y);
+    const int column = detail::index_below(x, size_.x - 2), row = detail::index_below(y, size_.y - 2);
     const float* corner = &points_[index(column, row)].r;
     const float* below = corner + 4 * std::size_t(size_.x);
     const Point right(x - float(column)), down(y - float(row));
@@ -162,10 +166,10 @@ class DirectionPlane {
     const Place at = place(position);
     if (!is_near(at)) return;
     const float reach = kKernelRadius * points_per_cell_, cells = 1 / points_per_cell_;
-    const auto first = [&](float x) { return int(std::ceil((std::max)(x - reach, 0.0F))); };
-    const auto last = [&](float x, int size) { return (std::min)(int(std::floor(x + reach)), size - 1); };
-    for (int y = first(at.y); y <= last(at.y, size_.y); ++y) {
-      for (int x = first(at.x); x <= last(at.x, size_.x); ++x) {
+    const auto first = [&](float x, int size) { return detail::index_below(std::ceil(x - reach), size); };
+    const auto last = [&](float x, int size) { return detail::index_below(x + reach, size - 1); };
+    for (int y = first(at.y, size_.y); y <= last(at.y, size_.y); ++y) {
+      for (int x = first(at.x, size_.x); x <= last(at.x, size_.x); ++x) {
         const float u = (at.x - float(x)) * cells, v = (at.y - float(y)) * cells, distance2 = u * u + v * v;
         if (!(distance2 <= kKernelRadius * kKernelRadius)) continue;
         const auto [r, g, b] = sample;

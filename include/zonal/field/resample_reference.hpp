@@ -102,8 +102,9 @@ class ReferenceFieldSums {
       const glm::vec3 at = origin + way * ((float(layer) - origin[z]) / way[z]);
       glm::ivec3 point;
       point[z] = layer;
-      for (point[y] = first(at[y] - reach); point[y] <= last(at[y] + reach, resolution[y]); ++point[y]) {
-        for (point[x] = first(at[x] - reach); point[x] <= last(at[x] + reach, resolution[x]); ++point[x]) {
+      for (point[y] = first(at[y] - reach, resolution[y]); point[y] <= last(at[y] + reach, resolution[y]); ++point[y]) {
+        for (point[x] = first(at[x] - reach, resolution[x]); point[x] <= last(at[x] + reach, resolution[x]);
+             ++point[x]) {
           const glm::vec3 offset = glm::vec3(point) - origin, across = offset - way * glm::dot(offset, way);
           const float distance2 = glm::dot(across, across);
           if (!(distance2 <= kKernelRadius * kKernelRadius)) continue;
@@ -113,7 +114,7 @@ class ReferenceFieldSums {
       }
     }
   }
-  static int first(float x) { return int(std::ceil((std::min)((std::max)(x, 0.0F), 1e6F))); }
+  static int first(float x, int size) { return detail::index_below(std::ceil(x), size); }
   static int last(float x, int size) { return int(std::floor((std::min)((std::max)(x, -1.0F), float(size - 1)))); }
 
   Grid grid_;

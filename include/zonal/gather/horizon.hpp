@@ -26,7 +26,9 @@ template <class T>
 ZONAL_INLINE constexpr T horizon_smoothstep(const SphericalCap<T>& cap, const T& cos_angle) {
   // A point has no extent: it is above or below. The floor keeps 0/0 out and changes no sphere one can see.
   const T sine = maximum(cap.sin_angle, T(1e-18L));
-  if (!AnyLane<T>::of(abs(cos_angle) < sine)) return select(cos_angle < T(0), T(0), T(1));  // far the most lights
+  // Far the most lights are not; what is no number is, whatever stands in the other lanes, and stays none.
+  const auto is_on_horizon = T(0) < select(sine <= abs(cos_angle), T(0), T(1));
+  if (!AnyLane<T>::of(is_on_horizon)) return select(cos_angle < T(0), T(0), T(1));
   const T inside = clamp(cos_angle, -sine, sine);
   const T elevation = detail::arcsine(abs(inside)) / detail::arcsine(sine);  // of the half angle, 1 at most
   const T x = T(0.5L) + T(0.5L) * select(inside < T(0), -elevation, elevation);

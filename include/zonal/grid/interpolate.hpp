@@ -19,6 +19,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "../scalar/index.hpp"
 #include "../scalar/lanes.hpp"
 #include "../scalar/unroll.hpp"
 #include "../scalar/vector3.hpp"
@@ -36,11 +37,9 @@ struct CellCoordinate {
   float t, rate;
 };
 inline CellCoordinate locate(float x, float low, float high, int vertices) {
-  const float count = static_cast<float>(vertices), last = count - 1.0F, rate = cell_rate(low, high, count);
+  const float count = static_cast<float>(vertices), rate = cell_rate(low, high, count);
   const float inside = cell_position(x, low, rate, count);  // NaN stays
-  // NaN is 0: the order of operands matters. Beyond 2^24 vertices a float may count one too many.
-  const int below = static_cast<int>(minimum(maximum(0.0F, inside), last - 1.0F));
-  const int cell = below < vertices - 2 ? below : vertices - 2;
+  const int cell = index_below(inside, vertices - 2);
   const float t = minimum(inside - static_cast<float>(cell), 1.0F);
   return {cell, t, x < low || high < x ? 0.0F : rate};
 }

@@ -20,6 +20,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "../scalar/index.hpp"
 #include "coefficient_grid.hpp"
 
 namespace zonal {
@@ -116,7 +117,7 @@ struct MapNodes {
     float fraction;
     Along(float place, int rings) {
       const float distance = abs(place);
-      const int inner = static_cast<int>(minimum(maximum(0.0F, distance), static_cast<float>(rings - 1)));
+      const int inner = index_below(distance, rings - 1);
       const int sign = place < 0 ? -1 : 1;
       node[0] = sign * inner, node[1] = sign * (inner + 1);
       fraction = distance - static_cast<float>(inner);

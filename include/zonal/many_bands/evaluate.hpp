@@ -6,8 +6,8 @@
 //
 //   n = (l-m-1) d_(l-1) - (2l-1) t q_(l-1),   q_l = g ((l+m) q_(l-1) + n),   d_l = g n,   g = g_l^m
 //
-// and what is left is less than 1e-13 at degree 1000, most of it by the direction's length, which rounding has left next
-// to 1, to the m-th power. z < 0 changes the sign where l+m is odd.
+// and what is left is less than 1e-13 at degree 1000, most of it by the direction's length, which rounding has left
+// next to 1, to the m-th power. z < 0 changes the sign where l+m is odd.
 #pragma once
 
 #include <algorithm>

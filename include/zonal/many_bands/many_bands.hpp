@@ -27,6 +27,13 @@ inline void check_bands(int bands, int greatest, const char* what) {
          " are possible");
 }
 
+// Of a function that a kernel of so many bands takes.
+inline void check_enough_bands(int bands, int needed, const char* what) {
+  if (bands >= needed) return;
+  refuse(std::string(what) + " of " + std::to_string(bands) + " bands, where " + std::to_string(needed) +
+         " are needed");
+}
+
 // Y_l^m is the product of q_l^m, which grows to 10^(l/5) next to the poles, and a power of the sine, which is as small.
 // The power is kept this many times as large as it is, the factor as many times smaller, so that both stay numbers.
 template <class T>

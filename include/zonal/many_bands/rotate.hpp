@@ -58,7 +58,7 @@ void rotate(const C* f, const ManyTurn<T>& turn, C* to) {
 }
 template <class C, class T>
 ManySh<C> rotate(const ManySh<C>& f, const ManyTurn<T>& turn) {
-  if (f.bands() > turn.bands()) detail::refuse("rotate: the turn is prepared for fewer bands than the function has");
+  detail::check_enough_bands(turn.bands(), f.bands(), "rotate: a turn");
   ManySh<C> r(f.bands());
   for (int l = 0; l < f.bands(); ++l) turn.turn_degree(l, f.data() + l * l, r.data() + l * l);
   return r;

@@ -19,7 +19,7 @@ void orient(const ManyBands<T>& bands, const C* z, const Direction& axis, BasisS
 }
 template <class C, class T, class Direction>
 ManySh<C> orient(const ManyBands<T>& bands, const ManyZh<C>& zh, const Direction& axis) {
-  assert(zh.bands() >= bands.bands());
+  detail::check_enough_bands(zh.bands(), bands.bands(), "orient: a lobe");
   BasisSpace<T> space(bands.bands());
   ManySh<C> sh(bands.bands());
   orient(bands, zh.data(), axis, space, sh.data());
@@ -39,7 +39,7 @@ C reconstruct(const ManyBands<T>& bands, const C* sh, const Direction& direction
 }
 template <class C, class T, class Direction>
 C reconstruct(const ManyBands<T>& bands, const ManySh<C>& sh, const Direction& direction) {
-  assert(sh.bands() >= bands.bands());
+  detail::check_enough_bands(sh.bands(), bands.bands(), "reconstruct: a function");
   BasisSpace<T> space(bands.bands());
   return reconstruct(bands, sh.data(), direction, space);
 }
@@ -62,7 +62,8 @@ void convolve(const ManyBands<T>& bands, const C* f, const T* kernel, C* to) {
 }
 template <class C, class T>
 ManySh<C> convolve(const ManyBands<T>& bands, const ManySh<C>& f, const ManyZh<T>& kernel) {
-  assert(f.bands() >= bands.bands() && kernel.bands() >= bands.bands());
+  detail::check_enough_bands(f.bands(), bands.bands(), "convolve: a function");
+  detail::check_enough_bands(kernel.bands(), bands.bands(), "convolve: a kernel");
   ManySh<C> r(bands.bands());
   convolve(bands, f.data(), kernel.data(), r.data());
   return r;

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "../scalar/index.hpp"
 #include "../scalar/target.hpp"
 
 namespace zonal {
@@ -103,7 +104,7 @@ void find_gap(const GroupedReceiver* receivers, int count, int axis, const Key& 
   bool is_taken[bins] = {};
   const float scale = float(bins) / range.size();
   for (int i = 0; i < count; ++i) {
-    is_taken[(std::min)(int((key(receivers[i]) - range.low) * scale), bins - 1)] = true;
+    is_taken[index_below((key(receivers[i]) - range.low) * scale, bins - 1)] = true;
   }
   for (int i = 0, last = 0; i < bins; ++i) {
     if (!is_taken[i]) continue;

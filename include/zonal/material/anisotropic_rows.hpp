@@ -15,6 +15,7 @@
 #include "../basis/sh.hpp"
 #include "../scalar/constexpr_math.hpp"
 #include "../scalar/function_ref.hpp"
+#include "../scalar/index.hpp"
 #include "../scalar/scalar.hpp"
 #include "../transform/window.hpp"
 #include "brdf_projection.hpp"
@@ -88,12 +89,11 @@ class AnisotropicTable {
   Sh<N, glm::vec3> interpolate(int kind, const glm::vec3& outgoing) const {
     static_assert(1 <= N && N <= max_bands, "bands out of range: 1 <= N <= 21");
     const double degree = double(kPi) / 180.0, x = double(outgoing.x), y = double(outgoing.y), z = double(outgoing.z);
-    // What is no number is 0: rows are looked up by these.
     const double tilt = std::atan2(std::hypot(x, y), z) / degree;
     const double azimuth = (std::atan2(y, x) / (2.0 * double(kPi)) + 1.0) * azimuths_;
     const double angle = tilt > 0.0 ? (std::min)(tilt, double(angles - 1)) : 0.0;
     const double turn = azimuth > 0.0 ? azimuth : 0.0;
-    const int low = (std::min)(int(angle), angles - 2), first = int(turn);
+    const int low = detail::index_below(angle, angles - 2), first = detail::index_below(turn, 2 * azimuths_);
     const auto s = float(angle - low), t = float(turn - first);
     Sh<N, glm::vec3> sum{};
     const int read = (std::min)(N, bands_);

@@ -17,6 +17,7 @@
 #include <glm/vec3.hpp>
 
 #include "../basis/sh.hpp"
+#include "../scalar/index.hpp"
 #include "../transform/window.hpp"
 #include "brdf_projection.hpp"
 #include "table_rows.hpp"
@@ -32,7 +33,7 @@ namespace detail {
 template <class Coefficients>
 void interpolate_rows(const std::vector<glm::vec3>& table, int angles, float cos_outgoing, Coefficients& result) {
   const float position = row_position(cos_outgoing, float(angles));
-  const int below = int(position), above = (std::min)(below + 1, angles - 1);
+  const int below = index_below(position, angles - 1), above = (std::min)(below + 1, angles - 1);
   const float t = position - float(below);
   const int row_size = int(table.size()) / angles;
   const glm::vec3* row_below = table.data() + below * row_size;

@@ -36,6 +36,7 @@
 
 #include "../file/checked_file.hpp"
 #include "../scalar/constexpr_math.hpp"
+#include "../scalar/index.hpp"
 #include "brdf.hpp"
 
 namespace zonal {
@@ -114,14 +115,14 @@ class MerlBrdf {
   static Place place(double position, int count) {
     const double x = position * count - 0.5;
     const double inside = x > 0.0 ? (std::min)(x, double(count - 1)) : 0.0;
-    const int below = (std::min)(int(inside), count - 2);
+    const int below = detail::index_below(inside, count - 2);
     return {below, below + 1, inside - below};
   }
   // position of period 1.
   static Place periodic_place(double position, int count) {
     const double turn = position - std::floor(position);
     const double x = (turn > 0.0 ? turn : 0.0) * count + (count - 0.5);  // a period on, to stay positive
-    const int below = int(x);
+    const int below = detail::index_below(x, 2 * count);
     return {below % count, (below + 1) % count, x - below};
   }
   static std::size_t index(int half, int theta, int phi) {

@@ -14,6 +14,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "../scalar/index.hpp"
 #include "brdf.hpp"
 #include "projection.hpp"
 
@@ -48,7 +49,7 @@ struct GridAxis {
   /// The first of the six places about x, and their weights.
   int weigh(double x, double (&weights)[6]) const {
     const double position = (x - first) / step;
-    const int below = std::clamp(int(position), 2, size - 4);
+    const int below = (std::max)(index_below(position, size - 4), 2);
     lagrange_weights(position - below, weights);
     return below - 2;
   }

@@ -20,6 +20,7 @@
 #include <glm/vec3.hpp>
 
 #include "../scalar/constexpr_math.hpp"
+#include "../scalar/index.hpp"
 #include "../scalar/quadrature.hpp"
 #include "../scalar/scalar.hpp"
 #include "rgl_tables.hpp"
@@ -77,11 +78,13 @@ inline void add_lines(std::size_t cells, std::vector<double>& places) {
 template <class Body>
 void for_each_piece_node(std::vector<double>& places, double begin, double end, const QuadratureRule& rule,
                          const Body& body) {
+  // Of a direction that is no number there are places that are none, and these would not be sorted.
+  const auto is_outside = [&](double place) { return !(place > begin && place < end); };
+  places.erase(std::remove_if(places.begin(), places.end(), is_outside), places.end());
   places.push_back(end);
   std::sort(places.begin(), places.end());
   double left = begin;
-  for (const double place : places) {
-    const double right = (std::min)(place, end);
+  for (const double right : places) {
     if (right - left < 1e-13) continue;
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
       body(left + 0.5 * (right - left) * (1.0 + rule.nodes[i]), 0.5 * (right - left) * rule.weights[i]);
@@ -131,7 +134,7 @@ class RglNodes {
     add_quantiles(row_mass_, rows_, a_.rgb_shape.rows - 1, places);
     add_grazing_lines(places);
     const double first = half_ ? 0.5 : 0.0;
-    places.erase(std::remove_if(places.begin(), places.end(), [&](double place) { return place <= first; }),
+    places.erase(std::remove_if(places.begin(), places.end(), [&](double place) { return !(place > first); }),
                  places.end());
     divide_where_horizon_runs(first, places);
     for_each_piece_node(places, first, 1.0, across_rows, [&](double v, double weight) {
@@ -167,7 +170,7 @@ class RglNodes {
   /// The horizon crosses the lines of rgb at places that nothing above knows: pieces in which it crosses some are
   /// divided, so that it crosses half a cell in each.
   void divide_where_horizon_runs(double first, std::vector<double>& places) {
-    constexpr double most_parts = 16.0;
+    constexpr int most_parts = 16;
     places.push_back(1.0);
     std::sort(places.begin(), places.end());
     const double cells = double(a_.rgb_shape.columns - 1);
@@ -179,7 +182,7 @@ class RglNodes {
     const std::size_t count = places.size();
     for (std::size_t i = 0; i < count; ++i) {
       const double right = places[i], right_place = place_of_horizon(right);
-      const int parts = int((std::min)(std::ceil(2.0 * std::abs(right_place - left_place)), most_parts));
+      const int parts = index_below(std::ceil(2.0 * std::abs(right_place - left_place)), most_parts);
       for (int k = 1; k < parts; ++k) places.push_back(left + (right - left) * k / parts);
       left = right, left_place = right_place;
     }

@@ -14,6 +14,7 @@
 #include <glm/vec3.hpp>
 
 #include "../scalar/constexpr_math.hpp"
+#include "../scalar/index.hpp"
 #include "../scalar/scalar.hpp"
 
 namespace zonal {
@@ -75,7 +76,7 @@ struct GridShape {
   GridCell cell(const glm::dvec2& u) const {
     const auto axis = [](double place, std::size_t count) {
       const double x = place > 0.0 ? (std::min)(place, 1.0) * double(count - 1) : 0.0;
-      const std::size_t below = (std::min)(static_cast<std::size_t>(x), count - 2);
+      const auto below = static_cast<std::size_t>(index_below(x, static_cast<int>(count) - 2));
       return std::pair(below, x - double(below));
     };
     const auto [column, x] = axis(u.x, columns);

@@ -10,6 +10,7 @@
 
 #include "../material/material_rows.hpp"
 #include "../scalar/half.hpp"
+#include "../scalar/index.hpp"
 #include "material_plan.hpp"
 
 namespace zonal {
@@ -68,7 +69,7 @@ class KeptTable {
   EvenSh<N, glm::vec3> between(const std::vector<Number>& rows, float cos_outgoing) const {
     constexpr int most = EvenSh<N, glm::vec3>::size();
     const float position = detail::row_position(cos_outgoing, float(angles_));
-    const int below = int(position), above = (std::min)(below + 1, angles_ - 1);
+    const int below = detail::index_below(position, angles_ - 1), above = (std::min)(below + 1, angles_ - 1);
     const float t = position - float(below);
     const int count = (std::min)(row_size(), most);
     const Number *const a = rows.data() + 3 * below * row_size(), *const b = rows.data() + 3 * above * row_size();

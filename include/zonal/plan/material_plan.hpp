@@ -28,6 +28,7 @@
 #include "../lobe/cap.hpp"
 #include "../material/anisotropic_rows.hpp"
 #include "../material/material_rows.hpp"
+#include "../scalar/index.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
@@ -278,7 +279,7 @@ inline PlannedRows rows_of(const MaterialTable& table, const std::vector<glm::ve
                            const std::vector<float>& cosines) {
   std::vector<bool> is_read(std::size_t(table.angles()), cosines.empty());
   for (const float cosine : cosines) {
-    const auto below = std::size_t(row_position(cosine, float(table.angles())));
+    const auto below = std::size_t(index_below(row_position(cosine, float(table.angles())), table.angles() - 1));
     is_read[below] = true;
     is_read[(std::min)(below + 1, is_read.size() - 1)] = true;
   }

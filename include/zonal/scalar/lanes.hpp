@@ -88,10 +88,9 @@ class Lanes {
   }
 #endif
 
-  /// *this += a * b, in one rounding where the target has such an operation.
-  ZONAL_INLINE void add_product(const Lanes& a, const Lanes& b) { *this = *this + a * b; }
-
 #if defined(ZONAL_COMPILER_VECTORS)
+  /// *this += a * b, fused where the compiler may: clang++ does so within one expression only.
+  ZONAL_INLINE void add_product(const Lanes& a, const Lanes& b) { values_ = values_ + a.values_ * b.values_; }
   ZONAL_INLINE friend Lanes operator-(const Lanes& a) { return Lanes(-a.values_); }
   ZONAL_INLINE friend Lanes operator+(const Lanes& a, const Lanes& b) { return Lanes(a.values_ + b.values_); }
   ZONAL_INLINE friend Lanes operator-(const Lanes& a, const Lanes& b) { return Lanes(a.values_ - b.values_); }
@@ -106,6 +105,7 @@ class Lanes {
     return Lanes(mask ? a.values_ : b.values_);
   }
 #else
+  void add_product(const Lanes& a, const Lanes& b) { *this = *this + a * b; }
   friend Lanes operator-(const Lanes& a) {
     return map(a, a, [](T x, T) { return -x; });
   }

@@ -30,8 +30,7 @@ inline namespace ZONAL_TARGET {
 namespace detail {
 
 // What compilers have no operator for, of a register: here number by number, below by the targets' own instructions.
-// The minimum of a and b is b < a ? b : a, also of what is no number; fused is a b + c in one rounding where the target
-// has such an operation.
+// The minimum of a and b is b < a ? b : a, also of what is no number.
 template <class T, std::size_t bytes>
 struct RegisterMath {
   static constexpr int count = static_cast<int>(bytes / sizeof(T));
@@ -52,9 +51,6 @@ struct RegisterMath {
   ZONAL_INLINE static R greatest(const R& a, const R& b) {
     return each([&](int i) ZONAL_INLINE { return maximum(T(a[i]), T(b[i])); });
   }
-  ZONAL_INLINE static R fused(const R& a, const R& b, const R& c) {
-    return each([&](int i) ZONAL_INLINE { return a[i] * b[i] + c[i]; });
-  }
 };
 
 #if defined(ZONAL_COMPILER_VECTORS) && defined(__SSE2__)
@@ -64,11 +60,6 @@ struct RegisterMath<float, 16> {
   ZONAL_INLINE static R root(R a) { return _mm_sqrt_ps(a); }
   ZONAL_INLINE static R least(R a, R b) { return _mm_min_ps(b, a); }
   ZONAL_INLINE static R greatest(R a, R b) { return _mm_max_ps(b, a); }
-#if defined(__FMA__)
-  ZONAL_INLINE static R fused(R a, R b, R c) { return _mm_fmadd_ps(a, b, c); }
-#else
-  ZONAL_INLINE static R fused(R a, R b, R c) { return a * b + c; }
-#endif
 };
 template <>
 struct RegisterMath<double, 16> {
@@ -76,11 +67,6 @@ struct RegisterMath<double, 16> {
   ZONAL_INLINE static R root(R a) { return _mm_sqrt_pd(a); }
   ZONAL_INLINE static R least(R a, R b) { return _mm_min_pd(b, a); }
   ZONAL_INLINE static R greatest(R a, R b) { return _mm_max_pd(b, a); }
-#if defined(__FMA__)
-  ZONAL_INLINE static R fused(R a, R b, R c) { return _mm_fmadd_pd(a, b, c); }
-#else
-  ZONAL_INLINE static R fused(R a, R b, R c) { return a * b + c; }
-#endif
 };
 #endif
 #if defined(ZONAL_COMPILER_VECTORS) && defined(__AVX__)
@@ -90,11 +76,6 @@ struct RegisterMath<float, 32> {
   ZONAL_INLINE static R root(R a) { return _mm256_sqrt_ps(a); }
   ZONAL_INLINE static R least(R a, R b) { return _mm256_min_ps(b, a); }
   ZONAL_INLINE static R greatest(R a, R b) { return _mm256_max_ps(b, a); }
-#if defined(__FMA__)
-  ZONAL_INLINE static R fused(R a, R b, R c) { return _mm256_fmadd_ps(a, b, c); }
-#else
-  ZONAL_INLINE static R fused(R a, R b, R c) { return a * b + c; }
-#endif
 };
 template <>
 struct RegisterMath<double, 32> {
@@ -102,11 +83,6 @@ struct RegisterMath<double, 32> {
   ZONAL_INLINE static R root(R a) { return _mm256_sqrt_pd(a); }
   ZONAL_INLINE static R least(R a, R b) { return _mm256_min_pd(b, a); }
   ZONAL_INLINE static R greatest(R a, R b) { return _mm256_max_pd(b, a); }
-#if defined(__FMA__)
-  ZONAL_INLINE static R fused(R a, R b, R c) { return _mm256_fmadd_pd(a, b, c); }
-#else
-  ZONAL_INLINE static R fused(R a, R b, R c) { return a * b + c; }
-#endif
 };
 #endif
 #if defined(ZONAL_COMPILER_VECTORS) && defined(__AVX512F__)
@@ -116,7 +92,6 @@ struct RegisterMath<float, 64> {
   ZONAL_INLINE static R root(R a) { return _mm512_sqrt_ps(a); }
   ZONAL_INLINE static R least(R a, R b) { return _mm512_min_ps(b, a); }
   ZONAL_INLINE static R greatest(R a, R b) { return _mm512_max_ps(b, a); }
-  ZONAL_INLINE static R fused(R a, R b, R c) { return _mm512_fmadd_ps(a, b, c); }
 };
 template <>
 struct RegisterMath<double, 64> {
@@ -124,7 +99,6 @@ struct RegisterMath<double, 64> {
   ZONAL_INLINE static R root(R a) { return _mm512_sqrt_pd(a); }
   ZONAL_INLINE static R least(R a, R b) { return _mm512_min_pd(b, a); }
   ZONAL_INLINE static R greatest(R a, R b) { return _mm512_max_pd(b, a); }
-  ZONAL_INLINE static R fused(R a, R b, R c) { return _mm512_fmadd_pd(a, b, c); }
 };
 #endif
 
@@ -297,13 +271,10 @@ struct Packet {
 /// sum += a * b, where a and b may have several times the lanes: all of them are added up.
 template <class T, int W, int V>
 ZONAL_INLINE inline void add_product(Packet<T, W>& sum, const Packet<T, V>& a, const Packet<T, V>& b) {
-  using Register = typename Packet<T, W>::Register;
   constexpr int step = Packet<T, W>::Registers::step;
   static_assert(V % W == 0 && Packet<T, V>::Registers::step == step, "whole multiples, in registers of one size");
   for (int i = 0; i < V / step; ++i) {
-    auto& target = sum.lanes.values[i % (W / step)];
-    target =
-        Register(Packet<T, W>::Math::fused(a.lanes.values[i].vector(), b.lanes.values[i].vector(), target.vector()));
+    sum.lanes.values[i % (W / step)].add_product(a.lanes.values[i], b.lanes.values[i]);
   }
 }
 template <class T, int W>  // for the compiler, which has no preference between the above and the one of any scalar

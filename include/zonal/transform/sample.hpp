@@ -77,9 +77,10 @@ class ShSampler {
   /// Not in proportion to anything, for f had no positive integral.
   bool is_uniform() const { return is_uniform_; }
 
-  /// u and v in [0, 1), uniform and independent. The distributions of z and of phi are met to 4 epsilon times the sum
-  /// of the coefficients' magnitudes.
+  /// u and v in [0, 1), uniform and independent; others are taken for the nearest such number, NaN for 0. The
+  /// distributions of z and of phi are met to 4 epsilon times the sum of the coefficients' magnitudes.
   DirectionSample<T> sample(T u, T v) const {
+    u = minimum(maximum(T(0), u), T(1)), v = minimum(maximum(T(0), v), T(1));  // NaN is 0 by this order only
     const T z = detail::solve_increasing([&](T at) { return below(at); }, u, T(1), T(-1), T(1));
     const T sine = std::sqrt((T(1) - z) * (T(1) + z));
     T a[std::size_t(N)] = {}, b[std::size_t(N)] = {};

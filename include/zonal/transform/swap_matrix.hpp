@@ -1,8 +1,8 @@
 // What exchanging y and z does to the harmonics of a degree: Y_l(x, z, y) = S_l Y_l(x, y, z).
 //
-// S_l is symmetric and its own inverse. Up to signs, and a factor sqrt(2) for each order that is not 0, its entry [m,
-// k] is Wigner's d(pi/2)[|m|, |k|], which a recurrence leads down from k = l, m staying as it is [1]: with v_k =
-// |S_l[m, k]|,
+// S_l is symmetric and its own inverse. But for the signs below and a factor sqrt(2) for each order that is not 0, its
+// entry [m, k] is Wigner's d(pi/2) of |m| and |k|, which a recurrence leads down from k = l while m stays [1]. With
+// both factors sqrt(2), that is for m > 0 and k > 0,
 //
 //   v_k = 2m / sqrt((l-k)(l+k+1)) v_(k+1) - sqrt((l-k-1)(l+k+2) / ((l-k)(l+k+1))) v_(k+2)
 //
@@ -14,12 +14,13 @@
 // bits.
 //
 // [1] Trapani, Navaza, Calculation of spherical harmonics and Wigner d functions by FFT, Acta Crystallographica A 62,
-//     2006, Eq. 9-13.
+//     2006.
 #pragma once
 
 #include <cstddef>
 
-#include "../basis/ladder.hpp"
+#include "../basis/sh.hpp"
+#include "../scalar/constexpr_math.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
@@ -43,9 +44,8 @@ constexpr long double next_swap_edge(int l, int m, long double before) {
 // v_0 has one factor sqrt(2) less than the recurrence, which starts with both, has.
 inline constexpr long double swap_of_zero = constexpr_sqrt(0.5L);
 
-// Where |S_l[m, k]|, m >= 0, k >= 0, stands, and with which sign: in the rows of orders >= 0 or below, and columns
-// likewise. Both are the product of what m and k say; sign(m) sign(k), but for -1 of odd degrees where only one of m
-// and k is odd.
+// Where v_k of m >= 0, k >= 0 stands, among the orders below 0 or not, and times which sign: that of m times that of k,
+// and another in odd degrees where only one of m and k is odd.
 constexpr int swap_sign(int order) { return order / 2 % 2 == 0 ? 1 : -1; }
 constexpr int swap_sign(int l, int m, int k) {
   return swap_sign(m) * swap_sign(k) * ((m + k) % 2 == 1 && l % 2 == 1 ? -1 : 1);

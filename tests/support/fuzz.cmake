@@ -1,0 +1,31 @@
+# Builds tests/fuzz with libFuzzer and the sanitizers, and runs it: `runs` files from a fixed seed; longer by
+# scripts/fuzz.sh.
+if(NOT compiler)
+  message("skipped: no clang++ found")
+  return()
+endif()
+string(REPLACE "|" ";-idirafter" system_dirs "${system_dirs}")
+set(flags -std=c++20 -O1 -g1 -fsanitize=fuzzer,address,undefined,float-cast-overflow -fno-sanitize-recover=all)
+file(REMOVE_RECURSE ${work_dir}/corpus)
+file(MAKE_DIRECTORY ${work_dir}/corpus)
+file(WRITE ${work_dir}/empty.cpp "extern \"C\" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }\n")
+execute_process(COMMAND ${compiler} ${flags} ${work_dir}/empty.cpp -o ${work_dir}/empty RESULT_VARIABLE result ERROR_QUIET)
+if(NOT result EQUAL 0)
+  message("skipped: ${compiler} has no libFuzzer here; Debian: libclang-rt-14-dev")
+  return()
+endif()
+set(sources ${source_dir}/tests/fuzz/readers.cpp)
+foreach(file obj_file mtl_file statements named_file input_error triangulate)
+  list(APPEND sources ${source_dir}/examples/shared/${file}.cpp)
+endforeach()
+execute_process(COMMAND ${compiler} ${flags} -DZONAL_INLINE= -I${source_dir}/include ${system_dirs} ${sources}
+  -o ${work_dir}/readers RESULT_VARIABLE result)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "it does not compile")
+endif()
+execute_process(COMMAND ${CMAKE_COMMAND} -E env ZONAL_SEEDS=${work_dir}/corpus
+  ${work_dir}/readers ${work_dir}/corpus -seed=1 -max_len=8192 -rss_limit_mb=3000 -timeout=30 ${limit}
+  WORKING_DIRECTORY ${work_dir} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "${output}")
+endif()

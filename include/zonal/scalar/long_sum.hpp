@@ -15,7 +15,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "target.hpp"
+#include "scalar.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {

@@ -53,7 +53,7 @@ struct GaussianIntegrals {
 
   ZONAL_INLINE constexpr GaussianIntegrals(const T& lambda, const T& sum, int bands)
       : is_tiny(lambda < T(1)),
-        is_sharp(T(0.5L * bands * bands) < lambda),
+        is_sharp(T(0.5 * bands * bands) < lambda),
         safe(maximum(lambda, T(1))),
         fall(exp(T(-2) * safe)),
         i0(select(is_tiny, T(1) / sum, (T(1) - fall) / (safe + safe))),

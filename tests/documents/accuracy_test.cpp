@@ -111,7 +111,7 @@ bool starts_with(const std::string& text, std::string_view start) { return text.
 std::string declared_function(const std::string& line) {
   if (line.empty() || std::isspace(static_cast<unsigned char>(line[0])) != 0) return "";
   for (const std::string_view other : {"#", "}", "/", "template", "namespace", "inline namespace", "struct", "class",
-                                       "using", "enum", "static_assert", "extern", "friend", "public", "private"}) {
+                                       "using", "enum", "static_assert", "extern", "friend", "public", "private", "decltype"}) {
     if (starts_with(line, other)) return "";
   }
   const std::size_t end = line.find('(');

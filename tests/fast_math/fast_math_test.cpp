@@ -1,4 +1,4 @@
-// What docs/floating_point.md says of -ffast-math and of denormals taken for zero.
+// What docs/floating_point.md says of -ffast-math, of contraction and of denormals taken for zero.
 #include <zonal/accuracy.hpp>
 #include <zonal/kernels/sampler.hpp>
 
@@ -60,19 +60,26 @@ double difference(const KernelResults& found, const KernelResults& expected, std
   return worst;
 }
 
-}  // namespace
-
-TEST_CASE("fast math: usual inputs give finite numbers, no farther off than twice what the table has") {
+template <class Results>
+void check_near(const Results& results) {
   const auto inputs = usual_inputs();
-  const auto plain = plain_results(inputs, draws), fast = fast_results(inputs, draws);
+  const auto plain = plain_results(inputs, draws), others = results(inputs, draws);
   for (std::size_t i = 0; i < plain.size(); ++i) {
     const Accuracy promise = accuracy_of(plain[i].name, zonal::accuracy::kAnyScalar, run_bands);
-    const double found = difference(fast[i], plain[i], promise.unit);
+    const double found = difference(others[i], plain[i], promise.unit);
     CAPTURE(plain[i].name, found);
     CHECK(found <= 2 * promise.bound);
     if (std::getenv("ZONAL_PRINT_WORST") != nullptr) std::printf("%s %.3g\n", plain[i].name.c_str(), found);
   }
 }
+
+}  // namespace
+
+TEST_CASE("fast math: usual inputs give finite numbers, no farther off than twice what the table has") {
+  check_near(fast_results);
+}
+
+TEST_CASE("contraction: results are no farther off than twice what the table has") { check_near(contracted_results); }
 
 TEST_CASE("flush to zero: what is no denormal number is the same to the bit") {
 #if defined(__SSE2__)

@@ -18,7 +18,8 @@ using namespace zonal::kernels;
 
 inline constexpr int kBands = zonal::accuracy::run_bands;
 using Kernels = KernelList<EvaluateWithGradient, Cap, CapDerivative, Phong, Gaussian, Orient, ReconstructAlong,
-                           WindowFactors<zonal::Window::sinc>, SphereWithGradient, HvlRadiance<3>>;
+                           WindowFactors<zonal::Window::sinc>, SphereWithGradient, HvlRadiance<3>,
+                           HvlRadiance<3, zonal::Horizon::smoothstep, zonal::Symmetry::zonal>>;
 
 // In the namespace of the target, so that both units have their own.
 template <class List>

@@ -1,5 +1,5 @@
-// What some kernels of the registry give in float, by a unit compiled with -ffast-math and by one without. Numbers
-// alone pass between them: the two have their types in namespaces of their own.
+// What some kernels of the registry give in float, by units compiled with -ffast-math, with contraction and with
+// neither. Numbers alone pass between them: each has its types in a namespace of its own.
 #pragma once
 
 #include <string>
@@ -14,3 +14,4 @@ struct KernelResults {
 /// `inputs` has those of each kernel.
 std::vector<KernelResults> plain_results(const std::vector<std::vector<float>>& inputs, int runs);
 std::vector<KernelResults> fast_results(const std::vector<std::vector<float>>& inputs, int runs);
+std::vector<KernelResults> contracted_results(const std::vector<std::vector<float>>& inputs, int runs);

@@ -1,6 +1,8 @@
 // Every function at every number of bands on the driver, against its record (which record_test.cpp compares with C++):
 // to the bit where the driver computes on the CPU.
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <initializer_list>
 #include <limits>
 #include <string_view>
@@ -19,7 +21,8 @@ using zonal::shader::RecordedFunction;
 
 std::vector<float> run_on_driver(Driver& driver, const RecordedFunction& function, const std::vector<float>& numbers,
                                  const zonal::shader::TextOptions& options) {
-  const unsigned program = driver.compile(function_shader(function, options));
+  const unsigned program =
+      driver.compile("#version 450\n" + function_shader(std::array{std::cref(function)}, "0", options));
   const auto count = sample_count * static_cast<std::size_t>(output_count(function));
   const unsigned in = driver.make_buffer(numbers.empty() ? std::vector<float>(1) : numbers);
   const unsigned out = driver.make_buffer(std::vector<float>(count, std::numeric_limits<float>::quiet_NaN()));

@@ -15,17 +15,23 @@
 inline constexpr unsigned sample_group_size = 64, sample_groups = 8;
 inline constexpr std::size_t sample_count = sample_group_size * sample_groups;
 
-/// A compute shader that calls the function once per invocation.
-inline std::string function_shader(const zonal::shader::RecordedFunction& function,
-                                   const zonal::shader::TextOptions& options) {
+/// A compute shader that calls one of the functions once per invocation: the one that `which` says, an expression.
+template <class Functions>
+std::string function_shader(const Functions& functions, const std::string& which,
+                            const zonal::shader::TextOptions& options) {
   const zonal::shader::Dialect& glsl = *zonal::shader::find_dialect("glsl450");
-  return "#version 450\nlayout(local_size_x = " + std::to_string(sample_group_size) +
+  std::string texts, calls;
+  int number = 0;
+  for (const zonal::shader::RecordedFunction& function : functions) {
+    texts += function_text(function, glsl, options) + caller_text(function, "uint", options);
+    calls += "  if (" + which + " == " + std::to_string(number++) + ") call_" + function.name + "(i * " +
+             std::to_string(input_count(function)) + "u, i * " + std::to_string(output_count(function)) + "u);\n";
+  }
+  return "layout(local_size_x = " + std::to_string(sample_group_size) +
          ") in;\n"
          "layout(std430, binding = 0) readonly buffer Numbers { float numbers[]; };\n"
          "layout(std430, binding = 1) writeonly buffer Results { float results[]; };\n" +
-         function_text(function, glsl, options) + caller_text(function, "uint", options) +
-         "void main() {\n  uint i = gl_GlobalInvocationID.x;\n  call_" + function.name + "(i * " +
-         std::to_string(input_count(function)) + "u, i * " + std::to_string(output_count(function)) + "u);\n}\n";
+         texts + "void main() {\n  uint i = gl_GlobalInvocationID.x;\n" + calls + "}\n";
 }
 
 /// run(numbers) gives what the function gives of samples, one after the other, against its record, an operation at a

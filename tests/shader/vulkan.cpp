@@ -10,7 +10,8 @@ std::unique_ptr<Vulkan> Vulkan::open(std::string& reason) {
   return nullptr;
 }
 std::vector<std::uint32_t> Vulkan::compile(const std::string&) { return {}; }
-std::vector<float> Vulkan::run(const std::vector<std::uint32_t>&, const std::vector<float>&, std::size_t, unsigned) {
+std::vector<float> Vulkan::run(const std::vector<std::uint32_t>&, int, const std::vector<float>&, std::size_t,
+                               unsigned) {
   return {};
 }
 
@@ -48,18 +49,19 @@ struct Vulkan::Functions {
   std::uint32_t family = 0;
   PFN_vkGetInstanceProcAddr get = nullptr;
 
-#define ZONAL_VULKAN_FUNCTIONS(X)                                                                                   \
-  X(DestroyInstance)                                                                                                \
-  X(EnumeratePhysicalDevices) X(GetPhysicalDeviceProperties) X(GetPhysicalDeviceQueueFamilyProperties)              \
-      X(GetPhysicalDeviceMemoryProperties) X(CreateDevice) X(DestroyDevice) X(GetDeviceQueue) X(CreateCommandPool)  \
-          X(DestroyCommandPool) X(CreateBuffer) X(DestroyBuffer) X(GetBufferMemoryRequirements) X(AllocateMemory)   \
-              X(FreeMemory) X(BindBufferMemory) X(MapMemory) X(CreateShaderModule) X(DestroyShaderModule)           \
-                  X(CreateDescriptorSetLayout) X(DestroyDescriptorSetLayout) X(CreatePipelineLayout)                \
-                      X(DestroyPipelineLayout) X(CreateComputePipelines) X(DestroyPipeline) X(CreateDescriptorPool) \
-                          X(DestroyDescriptorPool) X(AllocateDescriptorSets) X(UpdateDescriptorSets)                \
-                              X(AllocateCommandBuffers) X(FreeCommandBuffers) X(BeginCommandBuffer)                 \
-                                  X(EndCommandBuffer) X(CmdBindPipeline) X(CmdBindDescriptorSets) X(CmdDispatch)    \
-                                      X(CmdPipelineBarrier) X(QueueSubmit) X(QueueWaitIdle)
+#define ZONAL_VULKAN_FUNCTIONS(X)                                                                                     \
+  X(DestroyInstance)                                                                                                  \
+  X(EnumeratePhysicalDevices)                                                                                         \
+  X(GetPhysicalDeviceProperties)                                                                                      \
+  X(GetPhysicalDeviceQueueFamilyProperties) X(GetPhysicalDeviceMemoryProperties) X(CreateDevice) X(DestroyDevice)     \
+      X(GetDeviceQueue) X(CreateCommandPool) X(DestroyCommandPool) X(CreateBuffer) X(DestroyBuffer)                   \
+          X(GetBufferMemoryRequirements) X(AllocateMemory) X(FreeMemory) X(BindBufferMemory) X(MapMemory)             \
+              X(CreateShaderModule) X(DestroyShaderModule) X(CreateDescriptorSetLayout) X(DestroyDescriptorSetLayout) \
+                  X(CreatePipelineLayout) X(DestroyPipelineLayout) X(CreateComputePipelines) X(DestroyPipeline)       \
+                      X(CreateDescriptorPool) X(DestroyDescriptorPool) X(AllocateDescriptorSets)                      \
+                          X(UpdateDescriptorSets) X(AllocateCommandBuffers) X(FreeCommandBuffers)                     \
+                              X(BeginCommandBuffer) X(EndCommandBuffer) X(CmdBindPipeline) X(CmdBindDescriptorSets)   \
+                                  X(CmdDispatch) X(CmdPipelineBarrier) X(QueueSubmit) X(QueueWaitIdle)
 #define ZONAL_VULKAN_DECLARE(name) PFN_vk##name name = nullptr;
   ZONAL_VULKAN_FUNCTIONS(ZONAL_VULKAN_DECLARE)
 #undef ZONAL_VULKAN_DECLARE
@@ -193,21 +195,26 @@ std::string Vulkan::start() {
 std::vector<std::uint32_t> Vulkan::compile(const std::string& compute_shader) {
   const std::string path =
       (std::filesystem::temp_directory_path() / ("zonal_" + std::to_string(getpid()) + ".spv")).string();
-  const AtEnd remove([&] { std::remove(path.c_str()); });
-  FILE* const compiler = popen(("glslangValidator -V --stdin -S comp -o '" + path + "' 2>&1").c_str(), "w");
+  const std::string log = path + ".log";
+  const AtEnd remove([&] { std::remove(path.c_str()), std::remove(log.c_str()); });
+  const auto bytes_of = [](const std::string& name) {
+    std::ifstream file(name, std::ios::binary);
+    return std::string{std::istreambuf_iterator<char>(file), {}};
+  };
+  FILE* const compiler =
+      popen(("glslangValidator -V --stdin -S comp -o '" + path + "' > '" + log + "' 2>&1").c_str(), "w");
   if (compiler == nullptr) throw VulkanError("no glslangValidator");
   std::fwrite(compute_shader.data(), 1, compute_shader.size(), compiler);
-  if (pclose(compiler) != 0) throw VulkanError("glslangValidator does not compile it");
-  std::ifstream file(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  if (pclose(compiler) != 0) throw VulkanError("does not compile:\n" + bytes_of(log));
+  const std::string bytes = bytes_of(path);
   std::vector<std::uint32_t> words(bytes.size() / sizeof(std::uint32_t));
   if (words.empty()) throw VulkanError("glslangValidator has written nothing");
   std::memcpy(words.data(), bytes.data(), words.size() * sizeof(std::uint32_t));
   return words;
 }
 
-std::vector<float> Vulkan::run(const std::vector<std::uint32_t>& shader, const std::vector<float>& numbers,
-                               std::size_t result_count, unsigned groups) {
+std::vector<float> Vulkan::run(const std::vector<std::uint32_t>& shader, int constant,
+                               const std::vector<float>& numbers, std::size_t result_count, unsigned groups) {
   const Functions& vk = *vk_;
   const VkDevice device = vk.device;
 
@@ -284,6 +291,9 @@ std::vector<float> Vulkan::run(const std::vector<std::uint32_t>& shader, const s
   pipeline_info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
   pipeline_info.stage.module = module;
   pipeline_info.stage.pName = "main";
+  const VkSpecializationMapEntry place{0, 0, sizeof constant};
+  const VkSpecializationInfo specialization{1, &place, sizeof constant, &constant};
+  pipeline_info.stage.pSpecializationInfo = &specialization;
   pipeline_info.layout = layout;
   check(vk.CreateComputePipelines(device, VK_NULL_HANDLE, 1, &pipeline_info, nullptr, &pipeline), "making a pipeline");
 

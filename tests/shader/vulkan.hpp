@@ -28,8 +28,9 @@ class Vulkan {
   /// A compute shader of GLSL 4.50 as SPIR-V, by glslangValidator.
   static std::vector<std::uint32_t> compile(const std::string& compute_shader);
 
-  /// What so many groups write to the buffer of binding 1, filled with NaN before, given that of binding 0.
-  std::vector<float> run(const std::vector<std::uint32_t>& shader, const std::vector<float>& numbers,
+  /// What so many groups write to the buffer of binding 1, filled with NaN before, given that of binding 0. The
+  /// shader's constant 0 is `constant`.
+  std::vector<float> run(const std::vector<std::uint32_t>& shader, int constant, const std::vector<float>& numbers,
                          std::size_t result_count, unsigned groups);
 
  private:

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <string_view>
+#include <vector>
 
 #include "../catch.hpp"
 #include "function_shader.hpp"
@@ -12,6 +14,7 @@
 
 // Those for colours repeat the others' operations, three times.
 TEST_CASE("Every function, at 2 bands, is in SPIR-V on a Vulkan driver what its record is") {
+  constexpr int bands = 2;
   std::string reason;
   const auto vulkan = Vulkan::open(reason);
   if (vulkan == nullptr) {
@@ -25,13 +28,24 @@ TEST_CASE("Every function, at 2 bands, is in SPIR-V on a Vulkan driver what its 
   INFO(vulkan->device());
   zonal::shader::TextOptions options;
   options.precise = true;
+  std::vector<zonal::shader::RecordedFunction> functions;
   for (const zonal::shader::FunctionEntry& entry : zonal_glsl::shader_functions()) {
     if (entry.name.find("_colour") != std::string_view::npos) continue;
-    const int bands = std::min(2, entry.most_bands);
-    const auto function = entry.record(bands, zonal::shader::all_orders);
-    check_as_recorded(function, bands, vulkan->is_software(), [&](const std::vector<float>& numbers) {
-      return vulkan->run(Vulkan::compile(function_shader(function, options)), numbers,
-                         sample_count * static_cast<std::size_t>(output_count(function)), sample_groups);
-    });
+    functions.push_back(entry.record(std::min(bands, entry.most_bands), zonal::shader::all_orders));
+  }
+  // Several to a shader, as the compiler takes long to start: each is the pipeline of another constant. The driver
+  // reads all of the shader for each.
+  constexpr std::size_t together = 6;
+  for (std::size_t first = 0; first < functions.size(); first += together) {
+    std::vector<std::reference_wrapper<const zonal::shader::RecordedFunction>> some;
+    for (std::size_t i = first; i < std::min(first + together, functions.size()); ++i) some.push_back(functions[i]);
+    const auto shader = Vulkan::compile("#version 450\nlayout(constant_id = 0) const int which = 0;\n" +
+                                        function_shader(some, "which", options));
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      check_as_recorded(some[i], bands, vulkan->is_software(), [&](const std::vector<float>& numbers) {
+        return vulkan->run(shader, static_cast<int>(i), numbers,
+                           sample_count * static_cast<std::size_t>(output_count(some[i])), sample_groups);
+      });
+    }
   }
 }

@@ -158,15 +158,16 @@ TEST_CASE("probe: windows of colours, and what they cost") {
         CAPTURE(int(by), c, channel.strength, strongest);
         CHECK(std::abs(channel.error - std::sqrt(changed / given)) < 1e-12);
         CHECK(std::abs(channel.energy_lost - (1 - left / given)) < 1e-12);
-        CHECK(std::abs(channel.least_before - zonal::least_value(zonal::detail::channel_of(sh, c)).value) < 1e-12);
+        CHECK(std::abs(channel.least_before - zonal::least_value(zonal::detail::take_channel<double>(sh, c)).value) <
+              1e-12);
         if (by != DeringBy::luminance) CHECK(channel.least_after >= 0);
         if (by != DeringBy::channel) CHECK(std::abs(channel.strength - strongest) <= 0);
-        const auto grey = zonal::dering(zonal::detail::channel_of(sh, c), options);
+        const auto grey = zonal::dering(zonal::detail::take_channel<double>(sh, c), options);
         if (by == DeringBy::channel) CHECK(std::abs(grey.channels[0].strength - channel.strength) <= 0);
         if (by == DeringBy::all_channels) CHECK(grey.channels[0].strength <= 1.01 * strongest);
       }
       if (by == DeringBy::luminance) {
-        CHECK(zonal::least_value(zonal::detail::luminance_of(dering.sh)).bound >= 0);
+        CHECK(zonal::least_value(zonal::detail::luminance_of<double>(dering.sh)).bound >= 0);
       }
     }
   }

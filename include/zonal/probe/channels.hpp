@@ -1,33 +1,20 @@
-// Coefficients of colours as functions in double, channel by channel, and their luminance.
+// Coefficients of colours as functions of numbers, channel by channel, and their luminance.
 #pragma once
 
-#include <cstddef>
+#include <type_traits>
 
-#include "../basis/sh.hpp"
+#include "../transform/reconstruct_adjoint.hpp"  // channels_v, channel_of
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
 namespace detail {
 
-// 1 of a number; of a colour, GLM's, Eigen's, Rgb, how many numbers it is.
-template <class C>
-inline constexpr int channels_v = is_builtin_scalar_v<C> ? 1 : plain_length_v<C>;
-
-template <class C>
-constexpr number_t<C>& channel(C& colour, int i) {
-  if constexpr (is_builtin_scalar_v<C>) {
-    return static_cast<void>(i), colour;
-  } else {
-    return numbers_of(&colour)[i];
-  }
-}
-template <class C>
-constexpr const number_t<C>& channel(const C& colour, int i) {
-  if constexpr (is_builtin_scalar_v<C>) {
-    return static_cast<void>(i), colour;
-  } else {
-    return numbers_of(&colour)[i];
-  }
+// One channel, as numbers T.
+template <class T, int N, class C>
+constexpr Sh<N, T> take_channel(const Sh<N, C>& sh, int which) {
+  Sh<N, T> r{};
+  for (int i = 0; i < N * N; ++i) r.values[i] = static_cast<T>(channel_of(sh.values[i], which));
+  return r;
 }
 
 // The weights of RGB in luminance, ITU-R BT.709; of any other number of channels their mean.
@@ -37,16 +24,10 @@ constexpr double luminance_weight(int i) {
   return channels_v<C> == 3 ? weights[i] : 1.0 / channels_v<C>;
 }
 
-template <int N, class C>
-constexpr Sh<N, double> channel_of(const Sh<N, C>& sh, int which) {
-  Sh<N, double> r{};
-  for (int i = 0; i < r.size(); ++i) r[i] = static_cast<double>(channel(sh[i], which));
-  return r;
-}
-template <int N, class C>
-constexpr Sh<N, double> luminance_of(const Sh<N, C>& sh) {
-  Sh<N, double> r{};
-  for (int c = 0; c < channels_v<C>; ++c) r += channel_of(sh, c) * luminance_weight<C>(c);
+template <class T, int N, class C>
+constexpr Sh<N, T> luminance_of(const Sh<N, C>& sh) {
+  Sh<N, T> r{};
+  for (int c = 0; c < channels_v<C>; ++c) r += take_channel<T>(sh, c) * static_cast<T>(luminance_weight<C>(c));
   return r;
 }
 

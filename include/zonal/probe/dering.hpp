@@ -169,7 +169,6 @@ double relative_error(const Sh<N, double>& a, const Sh<N, double>& b) {
 template <int N, class C>
 Dering<N, C> dering(const Sh<N, C>& radiance, const DeringOptions& options = {}) {
   constexpr int count = detail::channels_v<C>;
-  static_assert(count > 0, "coefficients are numbers or colours: GLM's or Eigen's vectors, Rgb");
   using T = detail::number_t<C>;
   using Function = Sh<N, double>;
   constexpr auto epsilon = static_cast<double>(std::numeric_limits<T>::epsilon());
@@ -177,9 +176,9 @@ Dering<N, C> dering(const Sh<N, C>& radiance, const DeringOptions& options = {})
   Dering<N, C> result{radiance, {}, true};
   std::vector<detail::Dered<N>> functions;
   if (options.by == DeringBy::luminance) {
-    functions.emplace_back(seen(detail::luminance_of(radiance)), epsilon);
+    functions.emplace_back(seen(detail::luminance_of<double>(radiance)), epsilon);
   } else {
-    for (int c = 0; c < count; ++c) functions.emplace_back(seen(detail::channel_of(radiance, c)), epsilon);
+    for (int c = 0; c < count; ++c) functions.emplace_back(seen(detail::take_channel<double>(radiance, c)), epsilon);
   }
   for (const auto& f : functions) result.is_possible = result.is_possible && f.is_possible;
 
@@ -196,11 +195,12 @@ Dering<N, C> dering(const Sh<N, C>& radiance, const DeringOptions& options = {})
     if (channel.strength > 0) {
       const Function factors = detail::windowed(detail::ones<N>(), options.window, channel.strength);
       for (int i = 0; i < N * N; ++i) {
-        T& number = detail::channel(result.sh[i], c);
+        T& number = detail::channel_of(result.sh[i], c);
         number = static_cast<T>(static_cast<double>(number) * factors[i]);
       }
     }
-    const Function before = detail::channel_of(radiance, c), after = detail::channel_of(result.sh, c);
+    const Function before = detail::take_channel<double>(radiance, c),
+                   after = detail::take_channel<double>(result.sh, c);
     channel.error = detail::relative_error(before, after);
     channel.irradiance_error = detail::relative_error(irradiance_over_pi(before), irradiance_over_pi(after));
     channel.energy_lost = dot(before, before) > 0 ? 1 - dot(after, after) / dot(before, before) : 0;

@@ -68,11 +68,11 @@ DominantLight<C> dominant_light(const Sh<N, C>& radiance, bool has_ambient = tru
   detail::zh3_axis(with_bands<2>(radiance), Zh3Axis::luminance, 0, axis);
   DominantLight<C> light{{axis[0], axis[1], axis[2]}, detail::zero<C>(0), detail::zero<C>(0)};
   for (int c = 0; c < detail::channels_v<C>; ++c) {
-    const T irradiance = detail::light_along<fit>(detail::numbers_of_channel(radiance, c), axis, has_ambient);
-    detail::channel(light.irradiance, c) = irradiance;
+    const T irradiance = detail::light_along<fit>(detail::take_channel<T>(radiance, c), axis, has_ambient);
+    detail::channel_of(light.irradiance, c) = irradiance;
     if (has_ambient) {
       constexpr auto y0 = rounded<T>(detail::zonal_normalisation<0>);
-      detail::channel(light.ambient, c) = (detail::channel(radiance[0], c) - irradiance * T(y0)) * T(y0);
+      detail::channel_of(light.ambient, c) = (detail::channel_of(radiance[0], c) - irradiance * T(y0)) * T(y0);
     }
   }
   return light;
@@ -113,8 +113,8 @@ ExtractedLight<N, C> extract_light(const Sh<N, C>& radiance, bool keeps_sign = t
       const auto seen = [&](const Sh<N, double>& f) {
         return positive == LightFit::irradiance ? irradiance_over_pi(f) : f;
       };
-      const Sh<N, double> before = seen(detail::channel_of(radiance, c));
-      const Sh<N, double> taken = seen(evaluate<N>(d) * double(detail::channel(light.irradiance, c)));
+      const Sh<N, double> before = seen(detail::take_channel<double>(radiance, c));
+      const Sh<N, double> taken = seen(evaluate<N>(d) * double(detail::channel_of(light.irradiance, c)));
       const double scale = detail::sum_of_degrees(before);
       const double enough = 2 * double(std::numeric_limits<T>::epsilon()) * scale;
       const LeastValue least = detail::least_value(before - taken * share, enough, enough / 4);
@@ -126,7 +126,7 @@ ExtractedLight<N, C> extract_light(const Sh<N, C>& radiance, bool keeps_sign = t
       share = less > 0 && there > 2 * enough ? (std::min)(most, share * (1 - 1e-6)) : 0;
     }
   }
-  for (int c = 0; c < count; ++c) detail::channel(light.irradiance, c) *= static_cast<T>(share);
+  for (int c = 0; c < count; ++c) detail::channel_of(light.irradiance, c) *= static_cast<T>(share);
   return {light, radiance - project<N>(light), share};
 }
 

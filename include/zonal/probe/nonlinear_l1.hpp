@@ -73,13 +73,13 @@ ZONAL_INLINE constexpr T nonlinear_irradiance_over_pi(const Sh<2, T>& radiance, 
 /// The same of numbers or colours, each channel for itself.
 template <class C, class Direction>
 constexpr C nonlinear_irradiance_over_pi(const Sh<2, C>& radiance, const Direction& normal) {
-  if constexpr (detail::channels_v<C> == 0 || is_builtin_scalar_v<C>) {
+  if constexpr (!detail::is_colour_v<C>) {
     return nonlinear_irradiance_over_pi(radiance, normal, Index<1>{});
   } else {
     C value = radiance.values[0];
     for (int c = 0; c < detail::channels_v<C>; ++c) {
-      detail::channel(value, c) =
-          nonlinear_irradiance_over_pi(detail::numbers_of_channel(radiance, c), normal, Index<1>{});
+      detail::channel_of(value, c) =
+          nonlinear_irradiance_over_pi(detail::take_channel<detail::number_t<C>>(radiance, c), normal, Index<1>{});
     }
     return value;
   }

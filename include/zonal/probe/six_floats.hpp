@@ -47,7 +47,8 @@ constexpr auto to_six_floats(const Sh<N, C>& radiance) {
   SixFloats<T> six{};
   for (int i = 0; i < 4; ++i) {
     const C& c = radiance[i];
-    const auto luma = detail::to_luma_chroma(detail::channel(c, 0), detail::channel(c, 1), detail::channel(c, 2));
+    const auto luma =
+        detail::to_luma_chroma(detail::channel_of(c, 0), detail::channel_of(c, 1), detail::channel_of(c, 2));
     six.luminance[i] = luma.y;
     if (i == 0) six.co = luma.co, six.cg = luma.cg;
   }
@@ -75,7 +76,7 @@ ZONAL_INLINE constexpr void irradiance_over_pi(const SixFloats<T>& six, const Di
 template <class C, SixFloatsShape shape = SixFloatsShape::linear, class T, class Direction>
 constexpr C irradiance_over_pi(const SixFloats<T>& six, const Direction& normal) {
   C colour = detail::zero<C>(0);
-  irradiance_over_pi<shape>(six, normal, [&](auto i, const T& value) { detail::channel(colour, i) = value; });
+  irradiance_over_pi<shape>(six, normal, [&](auto i, const T& value) { detail::channel_of(colour, i) = value; });
   return colour;
 }
 
@@ -88,7 +89,7 @@ constexpr Sh<2, C> expand(const SixFloats<T>& six) {
   for (int i = 0; i < 4; ++i) {
     for (int c = 0; c < 3; ++c) {
       const T shape = mean > T(0) ? six.luminance[i] / mean : T(0);
-      detail::channel(r[i], c) = of_colour[c] * shape;
+      detail::channel_of(r[i], c) = of_colour[c] * shape;
     }
   }
   return r;

@@ -117,23 +117,7 @@ namespace detail {
 template <class C>
 constexpr void zh3_axis(const Sh<2, C>& linear, Zh3Axis kind, int which, number_t<C> (&axis)[3]) {
   using T = number_t<C>;
-  Sh<2, T> of{};
-  for (int i = 0; i < 4; ++i) {
-    if (kind == Zh3Axis::channel) {
-      of.values[i] = channel(linear.values[i], which);
-    } else {
-      for (int c = 0; c < channels_v<C>; ++c) {
-        of.values[i] += static_cast<T>(luminance_weight<C>(c)) * channel(linear.values[i], c);
-      }
-    }
-  }
-  linear_axis(of, axis);
-}
-template <int N, class C>
-constexpr Sh<N, number_t<C>> numbers_of_channel(const Sh<N, C>& sh, int which) {
-  Sh<N, number_t<C>> r{};
-  for (int i = 0; i < N * N; ++i) r.values[i] = channel(sh.values[i], which);
-  return r;
+  linear_axis(kind == Zh3Axis::channel ? take_channel<T>(linear, which) : luminance_of<T>(linear), axis);
 }
 // body(channel, axis) of each channel.
 template <class C, class Body>
@@ -151,7 +135,7 @@ template <class C>
 constexpr Zh3<C> project_zh3(const Sh<3, C>& radiance, Zh3Axis kind = Zh3Axis::luminance) {
   Zh3<C> r{with_bands<2>(radiance), detail::zero<C>(0)};
   detail::for_each_axis(r.linear, kind, [&](int c, const auto& axis) {
-    detail::channel(r.zonal, c) = nearest_zonal(detail::numbers_of_channel(radiance, c), axis);
+    detail::channel_of(r.zonal, c) = nearest_zonal(detail::take_channel<detail::number_t<C>>(radiance, c), axis);
   });
   return r;
 }
@@ -161,7 +145,7 @@ template <class C>
 constexpr Zh3<C> hallucinate_zh3(const Sh<2, C>& radiance, Zh3Axis kind = Zh3Axis::luminance) {
   Zh3<C> r{radiance, detail::zero<C>(0)};
   detail::for_each_axis(radiance, kind, [&](int c, const auto& axis) {
-    detail::channel(r.zonal, c) = hallucinated_zonal(detail::numbers_of_channel(radiance, c), axis);
+    detail::channel_of(r.zonal, c) = hallucinated_zonal(detail::take_channel<detail::number_t<C>>(radiance, c), axis);
   });
   return r;
 }
@@ -171,8 +155,8 @@ template <class C, class Direction>
 constexpr C reconstruct(const Zh3<C>& zh3, const Direction& direction, Zh3Axis kind = Zh3Axis::luminance) {
   C value = zh3.zonal;
   detail::for_each_axis(zh3.linear, kind, [&](int c, const auto& axis) {
-    detail::channel(value, c) =
-        reconstruct_zh3(detail::numbers_of_channel(zh3.linear, c), detail::channel(zh3.zonal, c), axis, direction);
+    detail::channel_of(value, c) = reconstruct_zh3(detail::take_channel<detail::number_t<C>>(zh3.linear, c),
+                                                   detail::channel_of(zh3.zonal, c), axis, direction);
   });
   return value;
 }
@@ -182,8 +166,8 @@ template <class C, class Direction>
 constexpr C irradiance_over_pi(const Zh3<C>& zh3, const Direction& normal, Zh3Axis kind = Zh3Axis::luminance) {
   C value = zh3.zonal;
   detail::for_each_axis(zh3.linear, kind, [&](int c, const auto& axis) {
-    detail::channel(value, c) =
-        irradiance_zh3_over_pi(detail::numbers_of_channel(zh3.linear, c), detail::channel(zh3.zonal, c), axis, normal);
+    detail::channel_of(value, c) = irradiance_zh3_over_pi(detail::take_channel<detail::number_t<C>>(zh3.linear, c),
+                                                          detail::channel_of(zh3.zonal, c), axis, normal);
   });
   return value;
 }
@@ -195,9 +179,9 @@ constexpr Sh<3, C> expand(const Zh3<C>& zh3, Zh3Axis kind = Zh3Axis::luminance) 
   Sh<3, C> r = with_bands<3>(zh3.linear);
   detail::for_each_axis(zh3.linear, kind, [&](int c, const auto& axis) {
     constexpr auto to_degree = rounded<T>(detail::zonal_to_degree<2>);
-    const T zonal = T(to_degree) * detail::channel(zh3.zonal, c);
+    const T zonal = T(to_degree) * detail::channel_of(zh3.zonal, c);
     evaluate<3>(axis[0], axis[1], axis[2], [&](auto l, auto m, const T& y) {
-      if constexpr (l == 2) detail::channel(r.values[sh_index(l, m)], c) = zonal * y;
+      if constexpr (l == 2) detail::channel_of(r.values[sh_index(l, m)], c) = zonal * y;
     });
   });
   return r;
@@ -272,7 +256,7 @@ void solve_zh3(const Sh<3, C>& radiance, int first, Zh3<C>& result) {
   double v[3] = {}, forms[std::size_t{Count}][3][3], weights = 0;
   const auto weight = [](int c) { return Count == 1 ? 1.0 : luminance_weight<C>(c); };
   for (int c = 0; c < Count; ++c) {
-    const Sh<3, double> f = channel_of(radiance, first + c);
+    const Sh<3, double> f = take_channel<double>(radiance, first + c);
     v[0] -= weight(c) * f[3], v[1] -= weight(c) * f[1], v[2] += weight(c) * f[2], weights += weight(c) * weight(c);
     const double degree[5] = {f[4], f[5], f[6], f[7], f[8]};
     quadratic_form(degree, forms[c]);
@@ -284,10 +268,11 @@ void solve_zh3(const Sh<3, C>& radiance, int first, Zh3<C>& result) {
   for (int c = 0; c < Count; ++c) {
     using T = number_t<C>;
     const double by = weight(c) / weights;
-    channel(result.linear[3], first + c) += static_cast<T>(by * (v[0] - length * a[0]));
-    channel(result.linear[1], first + c) += static_cast<T>(by * (v[1] - length * a[1]));
-    channel(result.linear[2], first + c) -= static_cast<T>(by * (v[2] - length * a[2]));
-    channel(result.zonal, first + c) = static_cast<T>(nearest_zonal(channel_of(radiance, first + c), axis));
+    channel_of(result.linear[3], first + c) += static_cast<T>(by * (v[0] - length * a[0]));
+    channel_of(result.linear[1], first + c) += static_cast<T>(by * (v[1] - length * a[1]));
+    channel_of(result.linear[2], first + c) -= static_cast<T>(by * (v[2] - length * a[2]));
+    channel_of(result.zonal, first + c) =
+        static_cast<T>(nearest_zonal(take_channel<double>(radiance, first + c), axis));
   }
 }
 }  // namespace detail

@@ -32,6 +32,10 @@ inline constexpr Covered kCovered[] = {
     {"basis", "sh_index even_index is_even_in_z has_order coefficient_count coefficient_index", "", kWholeNumbers},
     {"basis", "get with_bands about_axis direction_span dispatch_bands", "", kCopies},
 
+    {"convention", "convert change_frame", "rotate", ""},
+    {"convention", "evaluate_in to_complex from_complex", "", "values times constants: one rounding more, or two"},
+    {"convention", "is_right_handed axes_between greatest_degree stored_index find_convention", "", kChoices},
+
     {"environment", "project", "project", ""},
     {"environment", "project_by_texel", "", "the definition in double, which project is held against"},
     {"environment", "reconstruct", "reconstruct", ""},
@@ -130,6 +134,16 @@ inline constexpr Covered kCovered[] = {
      "", kFiles},
 
     {"plan", "plan_receiver plan_emission half_error", "plan_receiver", ""},
+
+    {"probe", "dering dering_factor least_value", "", "found by a search, to the tolerance that is asked for"},
+    {"probe",
+     "dominant_light extract_light project nonlinear_irradiance_over_pi hallucinated_zonal hallucinate_zh3 "
+     "nearest_zonal project_zh3 solve_zh3 linear_axis",
+     "", "approximations by their method: docs/rooms/probe.md says how far off"},
+    {"probe", "reconstruct irradiance_over_pi reconstruct_zh3 irradiance_zh3_over_pi expand reconstruct_scaled",
+     "reconstruct;reconstruct_lambert", ""},
+    {"probe", "to_halves to_bytes to_floats to_six_floats value_error", "",
+     "the nearest numbers of 16 bits or 8, whose error value_error bounds"},
 
     {"scalar", "asin", "asin", ""},
     {"scalar", "acos", "acos", ""},

@@ -152,7 +152,7 @@ inline constexpr Covered kCovered[] = {
     {"scalar", "exp", "exp", ""},
     {"scalar", "to_float to_half rounded constexpr_sqrt", "", "exact, or the nearest number"},
     {"scalar", "add_product subtract_product minimum maximum abs sqrt select clamp", "",
-     "one operation, or two: rounded as IEEE 754 has it; a packet's root as Eigen has it"},
+     "one operation, or two: rounded as IEEE 754 has it"},
     {"scalar", "gauss_legendre", "", "in double, to 1e-14: polynomials of its degree are integrated exactly"},
     {"scalar", "complete_frame", "", "two unit vectors, to 3 ulp of 1"},
     {"scalar", "adjoints for_each_field unroll", "", kTexts},

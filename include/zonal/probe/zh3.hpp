@@ -232,7 +232,7 @@ std::array<double, 3> best_axis(const double (&v)[3], const double (&forms)[Coun
         change += move * move, a[i] += move, square += a[i] * a[i];
       }
       for (double& x : a) x /= std::sqrt(square);
-      if (change < 1e-26) break;
+      if (change < 1e-18) break;
     }
     return value;
   };
@@ -278,7 +278,7 @@ void solve_zh3(const Sh<3, C>& radiance, int first, Zh3<C>& result) {
 }  // namespace detail
 
 /// The ZH3 with the least squared error of irradiance against three bands (with Zh3Axis::luminance of the sum over
-/// channels): degree 1 may change for a better axis. For baking: some 50 us.
+/// channels): degree 1 may change for a better axis. For baking: some 0.1 ms.
 template <class C>
 Zh3<C> solve_zh3(const Sh<3, C>& radiance, Zh3Axis kind = Zh3Axis::luminance) {
   constexpr int count = detail::channels_v<C>;

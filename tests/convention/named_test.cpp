@@ -490,9 +490,10 @@ TEST_CASE("conventions: another frame is the same light, where its axes are") {
 TEST_CASE("conventions: what shaders take is E / pi of the radiance that it came of") {
   std::mt19937 random(6);
   const Sh<3, double> sh = drawn<3>(random);
-  const SevenVectors<double> seven = seven_vectors(sh);
-  const NinePolynomials<double> nine = nine_polynomials(sh);
-  const Sh<3, double> unity = convert(sh, Convention{}, find_convention("unity")->convention), back = to_unity(seven);
+  const Sh<3, double> unity = convert(sh, Convention{}, find_convention("unity")->convention);
+  const SevenVectors<double> seven = seven_vectors(unity);
+  const NinePolynomials<double> nine = nine_polynomials(unity);
+  const Sh<3, double> back = to_unity(seven);
   for (int i = 0; i < 9; ++i) CHECK(std::abs(back[i] - unity[i]) < 1e-15);
   // Unreal's SetupSkyIrradianceEnvironmentMapConstants, of its own coefficients; Babylon.js' updateFromHarmonics.
   const double s = std::sqrt(pi), c0 = 1 / (2 * s), c1 = std::sqrt(3) / (3 * s), c2 = std::sqrt(15) / (8 * s),
@@ -514,6 +515,7 @@ TEST_CASE("conventions: what shaders take is E / pi of the radiance that it came
     const double truth = value_of(sh, Quantity::irradiance_over_pi, d);
     CHECK(std::abs(reconstruct(seven, d) - truth) < 1e-15 * 8);
     CHECK(std::abs(reconstruct(nine, d) - truth) < 1e-15 * 8);
+    CHECK(std::abs(reconstruct_polynomials(unity, d) - truth) < 1e-15 * 8);
     const Numbers numbers(unity.begin(), unity.end());
     CHECK(std::abs(::unity(numbers, d) - truth) < 1e-15 * 8);
   }

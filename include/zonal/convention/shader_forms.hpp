@@ -1,11 +1,11 @@
-// Three bands as the shaders of engines take them: E / pi at a normal, in few vectors, without constants.
+// Three bands as the shaders of engines take them: E / pi at a normal, in few vectors, without constants. All are made of
+// Unity's nine numbers, plain polynomials: convert(radiance, Convention{}, find_convention("unity")->convention).
 //
 // [1] Sloan, Stupid spherical harmonics tricks, GDC 2008, appendix A10.
 #pragma once
 
+#include "../basis/sh.hpp"
 #include "../scalar/vector3.hpp"
-#include "convert.hpp"
-#include "named.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
@@ -18,18 +18,14 @@ struct SevenVectors {
   T a[4], b[4], c;
 };
 
-/// Of radiance in this library's convention; of numbers that are Unity's already, from_unity().
 template <class T>
-SevenVectors<T> from_unity(const Sh<3, T>& p) {
+constexpr SevenVectors<T> seven_vectors(const Sh<3, T>& unity) {
+  const Sh<3, T>& p = unity;
   return {{p[3], p[1], p[2], p[0] - p[6]}, {p[4], p[5], T(3) * p[6], p[7]}, p[8]};
-}
-template <class T>
-SevenVectors<T> seven_vectors(const Sh<3, T>& radiance) {
-  return from_unity(convert(radiance, Convention{}, find_convention("unity")->convention));
 }
 /// Back, to Unity's nine numbers.
 template <class T>
-Sh<3, T> to_unity(const SevenVectors<T>& v) {
+constexpr Sh<3, T> to_unity(const SevenVectors<T>& v) {
   const T zonal = v.b[2] / T(3);
   return {{v.a[3] + zonal, v.a[1], v.a[2], v.a[0], v.b[0], v.b[1], zonal, v.b[3], v.c}};
 }
@@ -50,9 +46,8 @@ struct NinePolynomials {
 };
 
 template <class T>
-NinePolynomials<T> nine_polynomials(const Sh<3, T>& radiance) {
-  const Sh<3, T> p = convert(radiance, Convention{}, find_convention("unity")->convention);
-  // 1 = xx + yy + zz, 3 zz - 1 = 2 zz - xx - yy
+constexpr NinePolynomials<T> nine_polynomials(const Sh<3, T>& unity) {
+  const Sh<3, T>& p = unity;  // 1 = xx + yy + zz, 3 zz - 1 = 2 zz - xx - yy
   return {p[3], p[1], p[2], p[0] - p[6] + p[8], p[0] - p[6] - p[8], p[0] + T(2) * p[6], p[5], p[7], p[4]};
 }
 
@@ -61,6 +56,15 @@ ZONAL_INLINE constexpr T reconstruct(const NinePolynomials<T>& p, const V& norma
   const auto n = detail::as_direction<T>(normal);
   return p.x * n.x + p.y * n.y + p.z * n.z + p.xx * (n.x * n.x) + p.yy * (n.y * n.y) + p.zz * (n.z * n.z) +
          p.yz * (n.y * n.z) + p.zx * (n.z * n.x) + p.xy * (n.x * n.y);
+}
+
+/// The value of plain polynomials, Unity's and Filament's nine numbers, at a unit vector.
+template <class T, class V>
+ZONAL_INLINE constexpr T reconstruct_polynomials(const Sh<3, T>& p, const V& normal) {
+  const auto n = detail::as_direction<T>(normal);
+  const T* c = p.values;
+  return c[0] + c[1] * n.y + c[2] * n.z + c[3] * n.x + c[4] * (n.x * n.y) + c[5] * (n.y * n.z) +
+         c[6] * (T(3) * (n.z * n.z) - T(1)) + c[7] * (n.x * n.z) + c[8] * (n.x * n.x - n.y * n.y);
 }
 
 }  // namespace ZONAL_TARGET

@@ -14,6 +14,7 @@
 #include "light_kernels.hpp"
 #include "lobe_kernels.hpp"
 #include "material_kernels.hpp"
+#include "probe_kernels.hpp"
 #include "scalar_kernels.hpp"
 #include "screen_kernels.hpp"
 #include "transform_kernels.hpp"
@@ -30,7 +31,10 @@ using BasisKernels =
                ReconstructAlong, Splat, ReconstructWithAdjoint<ColourRule::plain>,
                ReconstructWithAdjoint<ColourRule::splat>, ReconstructConvolved, Convolve, ConvolveZonal, Dot, DotEven,
                DotZonal, Product, ProductZonal, TripleProduct, WindowFactors<Window::hann>, WindowFactors<Window::sinc>,
-               ApplyWindow<Window::hann>, ApplyWindow<Window::sinc>>;
+               ApplyWindow<Window::hann>, ApplyWindow<Window::sinc>,  //
+               ReconstructSevenVectors, ReconstructNinePolynomials, ReconstructPolynomials, LinearAxis, HallucinateZh3,
+               IrradianceZh3, IrradianceNonlinear, IrradianceSixFloats<SixFloatsShape::linear>,
+               IrradianceSixFloats<SixFloatsShape::nonlinear>, IrradianceBytes>;  // light probes
 // They run kernels of BasisKernels, and cost next to nothing to compile beside them.
 using ColourKernels =
     KernelList<OfColours<Orient>, OfColours<RotateAboutZ>, OfColours<Rotate>, OfColours<Reconstruct>,
@@ -40,7 +44,9 @@ using ColourKernels =
                OfColours<Dot>, OfColours<Dot, Colours::all>, OfColours<DotEven>, OfColours<DotEven, Colours::all>,
                OfColours<DotZonal>, OfColours<DotZonal, Colours::all>, OfColours<Product>,
                OfColours<Product, Colours::all>, OfColours<ProductZonal>, OfColours<TripleProduct>,
-               OfColours<ApplyWindow<Window::hann>>, OfColours<ApplyWindow<Window::sinc>>>;
+               OfColours<ApplyWindow<Window::hann>>, OfColours<ApplyWindow<Window::sinc>>,
+               OfColours<ReconstructNinePolynomials>, OfColours<ReconstructPolynomials>, OfColours<HallucinateZh3>,
+               OfColours<IrradianceZh3>, OfColours<IrradianceNonlinear>>;
 using SceneKernels =
     KernelList<Sphere, SphereWithGradient,                             // lights
                CellPosition, CellWeightsOf<Interpolation::trilinear>,  // grid

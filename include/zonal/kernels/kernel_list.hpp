@@ -31,11 +31,8 @@ using BasisKernels =
                ReconstructAlong, Splat, ReconstructWithAdjoint<ColourRule::plain>,
                ReconstructWithAdjoint<ColourRule::splat>, ReconstructConvolved, Convolve, ConvolveZonal, Dot, DotEven,
                DotZonal, Product, ProductZonal, TripleProduct, WindowFactors<Window::hann>, WindowFactors<Window::sinc>,
-               ApplyWindow<Window::hann>, ApplyWindow<Window::sinc>,  //
-               ReconstructSevenVectors, ReconstructNinePolynomials, ReconstructPolynomials, LinearAxis, HallucinateZh3,
-               IrradianceZh3, IrradianceNonlinear, IrradianceSixFloats<SixFloatsShape::linear>,
-               IrradianceSixFloats<SixFloatsShape::nonlinear>, IrradianceBytes>;  // light probes
-// They run kernels of BasisKernels, and cost next to nothing to compile beside them.
+               ApplyWindow<Window::hann>, ApplyWindow<Window::sinc>>;
+// They run kernels of the other lists, and cost next to nothing to compile.
 using ColourKernels =
     KernelList<OfColours<Orient>, OfColours<RotateAboutZ>, OfColours<Rotate>, OfColours<Reconstruct>,
                OfColours<ReconstructEven>, OfColours<ReconstructZonal>, OfColours<ReconstructLambert>,
@@ -61,7 +58,10 @@ using SceneKernels =
                HvlRadiance<3, Horizon::smoothstep, Symmetry::zonal>, HvlRadiance<1, Horizon::exact, Symmetry::zonal>,
                HvlRadiance<3, Horizon::exact, Symmetry::zonal>, HvlRadiance<1, Horizon::none, Symmetry::zonal>,
                HvlRadiance<3, Horizon::none, Symmetry::zonal>,  //
-               IsSameSurface>;                                  // screen
+               IsSameSurface,                                   // screen
+               ReconstructSevenVectors, ReconstructNinePolynomials, ReconstructPolynomials, LinearAxis, HallucinateZh3,
+               IrradianceZh3, IrradianceNonlinear, IrradianceSixFloats<SixFloatsShape::linear>,
+               IrradianceSixFloats<SixFloatsShape::nonlinear>, IrradianceBytes>;  // light probes
 // They are no shader functions: of fixed lights.
 using UnwrittenKernels = KernelList<Arcs, SpotWithGradient, TriangleSphereWithGradient, PolygonWithGradient>;
 

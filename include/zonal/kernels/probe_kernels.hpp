@@ -1,5 +1,5 @@
-// The registry's entries of the rooms `convention` and `probe` (kernel_list.hpp): what shaders make of a light probe, in
-// the forms that engines store it in.
+// The registry's entries of the rooms `convention` and `probe` (kernel_list.hpp): what shaders make of a light probe,
+// in the forms that engines store it in.
 #pragma once
 
 #include "../convention/shader_forms.hpp"
@@ -30,7 +30,8 @@ struct ReconstructSevenVectors : Kernel {
   template <int, class Io>
   static void run(Io& io) {
     using T = typename Io::Scalar;
-    const auto a = io.template numbers<4>("a", Domain::coefficient), b = io.template numbers<4>("b", Domain::coefficient);
+    const auto a = io.template numbers<4>("a", Domain::coefficient),
+               b = io.template numbers<4>("b", Domain::coefficient);
     const T c = io.number("c", Domain::coefficient);
     const auto normal = io.vector("normal", Domain::unit_vector);
     const SevenVectors<T> vectors{{a[0], a[1], a[2], a[3]}, {b[0], b[1], b[2], b[3]}, c};
@@ -68,7 +69,8 @@ struct ReconstructPolynomials : Kernel {
 
 struct LinearAxis : Kernel {
   static constexpr const char* name = "linear_axis";
-  static constexpr const char* summary = "Where the light of two bands comes from, a unit vector; z where from nowhere.";
+  static constexpr const char* summary =
+      "Where the light of two bands comes from, a unit vector; z where from nowhere.";
   static constexpr bool has_bands = false;
   template <int, class Io>
   static void run(Io& io) {
@@ -97,13 +99,14 @@ struct HallucinateZh3 : Kernel {
 
 struct IrradianceZh3 : Kernel {
   static constexpr const char* name = "irradiance_zh3";
-  static constexpr const char* summary = "Irradiance over pi of ZH3, radiance of two bands and one quadratic about an axis.";
+  static constexpr const char* summary =
+      "Irradiance over pi of ZH3, radiance of two bands and one quadratic about an axis.";
   static constexpr bool has_bands = false;
   template <int, class Io>
   static void run(Io& io) {
     using T = typename Io::Scalar;
     const auto linear = detail::take_linear(io, "linear");
-    const T zonal = io.template coefficients<1>("zonal")[0];
+    const T zonal = io.coefficient("zonal");
     const auto a = io.vector("axis", Domain::unit_vector);
     const auto normal = io.vector("normal", Domain::unit_vector);
     const T axis[3] = {a[0], a[1], a[2]};
@@ -127,9 +130,9 @@ template <SixFloatsShape shape>
 struct IrradianceSixFloats : Kernel {
   static constexpr const char* name =
       shape == SixFloatsShape::linear ? "irradiance_six_floats" : "irradiance_six_floats_nonlinear";
-  static constexpr const char* summary =
-      shape == SixFloatsShape::linear ? "Irradiance over pi, RGB, of luminance on two bands with Co and Cg."
-                                      : "The same by Geomerics' positive curve.";
+  static constexpr const char* summary = shape == SixFloatsShape::linear
+                                             ? "Irradiance over pi, RGB, of luminance on two bands with Co and Cg."
+                                             : "The same by Geomerics' positive curve.";
   static constexpr bool has_bands = false;
   template <int, class Io>
   static void run(Io& io) {

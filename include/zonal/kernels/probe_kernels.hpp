@@ -75,7 +75,7 @@ struct LinearAxis : Kernel {
   template <int, class Io>
   static void run(Io& io) {
     using T = typename Io::Scalar;
-    const auto linear = detail::take_linear(io, "linear");
+    const auto linear = detail::take_linear(io, "radiance");
     const auto axis = io.output_triples("axis", 0);
     T v[3];
     linear_axis(linear, v);
@@ -90,7 +90,7 @@ struct HallucinateZh3 : Kernel {
   template <int, class Io>
   static void run(Io& io) {
     using T = typename Io::Scalar;
-    const auto linear = detail::take_linear(io, "linear");
+    const auto linear = detail::take_linear(io, "radiance");
     const auto a = io.vector("axis", Domain::unit_vector);
     const T axis[3] = {a[0], a[1], a[2]};
     io.output("zonal", 0)[0] = hallucinated_zonal(linear, axis);
@@ -105,7 +105,7 @@ struct IrradianceZh3 : Kernel {
   template <int, class Io>
   static void run(Io& io) {
     using T = typename Io::Scalar;
-    const auto linear = detail::take_linear(io, "linear");
+    const auto linear = detail::take_linear(io, "radiance");
     const T zonal = io.coefficient("zonal");
     const auto a = io.vector("axis", Domain::unit_vector);
     const auto normal = io.vector("normal", Domain::unit_vector);
@@ -154,9 +154,9 @@ struct IrradianceBytes : Kernel {
   static void run(Io& io) {
     using T = typename Io::Scalar;
     const T scale[1] = {io.number("scale", Domain::length)};
-    const auto numbers = detail::take_sh<N>(io, "numbers");
+    const auto stored = detail::take_sh<N>(io, "stored");
     const auto normal = io.vector("normal", Domain::unit_vector);
-    io.output("value", 0)[0] = reconstruct_scaled<ByteScale::channel>(scale, numbers, normal, true);
+    io.output("value", 0)[0] = reconstruct_scaled<ByteScale::channel>(scale, stored, normal, true);
   }
 };
 

@@ -243,7 +243,9 @@ inline double cost_of(const Reading& reading, double tolerance) {
   }
   words -= reading.exchanged;  // of two terms, one word
   const Convention& c = reading.convention;
-  if (c.axes != Axes{}) words += is_mirrored(c.axes) ? 1.3 : 1.1;
+  // Degrees 0 and 1 do not tell a wrong sign from another axis: there the sign is the likelier.
+  const double of_few_bands = reading.factors.size() <= 4 ? 0.5 : 0;
+  if (c.axes != Axes{}) words += of_few_bands + (is_mirrored(c.axes) ? 0.9 : 0.6);
   if (c.order != CoefficientOrder::ascending) words += 0.3;
   if (c.normalisation != Normalisation::orthonormal) words += 0.2;
   if (c.quantity != Quantity::radiance) words += 0.3;

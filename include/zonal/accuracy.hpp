@@ -313,6 +313,8 @@ inline constexpr Accuracy kFunctions[] = {
              kBranches),
     searched("basis", "evaluate_with_hessian", "float", 0, "unit vectors, 5 bands", kUlpOfLargest, 7.4, 5.61701, "",
              kBranches),
+    searched("probe", "nonlinear_irradiance_over_pi", "float", 0, "unit normals, a mean of 1", kUlpOfOne, 19, 11.2649,
+             "", kBranches),
 };
 
 /// Of the functions of many bands (zonal/many_bands/), against Boost.Multiprecision.

@@ -35,10 +35,6 @@ zonal::Convention ours(zonal::Quantity quantity) {
   return convention;
 }
 
-void clear_from(Coefficients& sh, int bands) {
-  for (int i = bands * bands; i < max_bands * max_bands; ++i) sh[i] = Colour{0, 0, 0};
-}
-
 /// How many letters to change, add or leave out.
 std::size_t letters_between(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -54,13 +50,14 @@ std::size_t letters_between(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-/// In lower case, with underscores, as the names are.
-std::string as_name(std::string text) {
-  for (char& letter : text) {
-    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-    if (letter == '-' || letter == ' ' || letter == '.') letter = '_';
+/// Letters and digits alone, in lower case: Three.js is threejs, and glTF-image-based gltf_image_based.
+std::string letters_of(std::string_view text) {
+  std::string letters;
+  for (const char c : text) {
+    if (c >= 'A' && c <= 'Z') letters += static_cast<char>(c - 'A' + 'a');
+    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) letters += c;
   }
-  return text;
+  return letters;
 }
 
 const std::pair<const char*, zonal::Frame> known_frames[] = {
@@ -68,6 +65,11 @@ const std::pair<const char*, zonal::Frame> known_frames[] = {
     {"unity", zonal::frames::unity},           {"unreal", zonal::frames::unreal}, {"colmap", zonal::frames::colmap}};
 
 }  // namespace
+
+void keep_bands(Light& light, int bands) {
+  light.bands = bands;
+  for (int i = bands * bands; i < light.sh.size(); ++i) light.sh[i] = Colour{0, 0, 0};
+}
 
 Light of_quantity(Light light, zonal::Quantity quantity) {
   light.sh = zonal::convert(light.sh, ours(light.quantity), ours(quantity));
@@ -83,7 +85,6 @@ zonal::Convention Stored::convention() const {
 
 Stored store(const Light& light, Stored to) {
   Coefficients sh = zonal::change_frame(light.sh, zonal::frames::zonal_picture, to.frame);
-  clear_from(sh, to.bands);
   sh = convert(sh, ours(light.quantity), to.convention());
   const Colour zero{0, 0, 0};
   for (int i = 0; i < to.bands * to.bands; ++i) to.numbers.push_back(sh[i] + zero);  // and no -0
@@ -104,15 +105,16 @@ Light load(const Stored& stored) {
   for (std::size_t i = 0; i < stored.numbers.size(); ++i) light.sh[static_cast<int>(i)] = stored.numbers[i];
   light.sh = zonal::change_frame(convert(light.sh, stored.convention(), ours(stored.quantity)), stored.frame,
                                  zonal::frames::zonal_picture);
-  clear_from(light.sh, light.bands);
   return light;
 }
 
 const zonal::NamedConvention& convention_of(const std::string& option, const std::string& name) {
-  if (const zonal::NamedConvention* found = zonal::find_convention(name)) return *found;
-  if (const zonal::NamedConvention* found = zonal::find_convention(as_name(name))) return *found;
-  const auto nearer = [asked = as_name(name)](const auto& a, const auto& b) {
-    return letters_between(asked, a.name) < letters_between(asked, b.name);
+  const std::string asked = letters_of(name);
+  for (const zonal::NamedConvention& known : zonal::kConventions) {
+    if (letters_of(known.name) == asked) return known;
+  }
+  const auto nearer = [&](const auto& a, const auto& b) {
+    return letters_between(asked, letters_of(a.name)) < letters_between(asked, letters_of(b.name));
   };
   const auto nearest = std::min_element(std::begin(zonal::kConventions), std::end(zonal::kConventions), nearer);
   throw InputError(option + ": '" + example::one_line(name) + "' is no convention; did you mean " +

@@ -22,6 +22,9 @@ struct Light {
   zonal::Quantity quantity = zonal::Quantity::radiance;
 };
 
+/// The first bands; those beyond become zeros.
+void keep_bands(Light& light, int bands);
+
 /// Another quantity of the same light. What the cosine has taken away, degrees 3, 5, 7, ..., does not come back.
 Light of_quantity(Light light, zonal::Quantity quantity);
 

@@ -61,11 +61,10 @@ SkyPicture read_sky(const std::string& path, const std::string& mapping) {
 
 Light project_sky(const SkyPicture& sky, int bands, Workers& workers, zonal::PictureFaults& faults) {
   Light light;
-  light.bands = bands;
   const zonal::Environment<float> environment(sky.view(), sky.mapping);
   // Of all bands, whatever is asked for: one function for the compiler, and little more time.
   light.sh = zonal::project<max_bands, Colour>(environment, workers.loop("project", 1), &faults);
-  for (int i = bands * bands; i < max_bands * max_bands; ++i) light.sh[i] = Colour{0, 0, 0};
+  keep_bands(light, bands);
   return light;
 }
 

@@ -191,13 +191,14 @@ Image make_preview(const Light& light, const std::optional<Image>& sky, const Pr
               [&](int x, int y) { return example::encode(sky->at(x, y), display); });
   }
   const Negative negative = negative_of(rebuilt, least);
-  const std::string negative_text = negative.share > 0
-                                        ? example::format("hatched: below 0, %.2g %% of all, to %.2g x mean",
-                                                          100 * negative.share, negative.least / std::max(mean, 1e-30))
-                                        : std::string("nowhere below 0");
-  sheet.add(panel_width, example::format(light.bands == 1 ? "%d band" : "%d bands", light.bands) + texts.window,
-            negative_text, sky ? "" : exposure,
-            [&](int x, int y) { return shown(rebuilt.at(x, y), least, x, y, display); });
+  const bool is_any_negative = negative.share > 0;
+  const std::string share = is_any_negative
+                                ? example::format("hatched: below 0, %.2g %% of directions", 100 * negative.share)
+                                : std::string("nowhere below 0");
+  const std::string lowest =
+      is_any_negative ? example::format("least: %.2g of the mean", negative.least / std::max(mean, 1e-30)) : "";
+  sheet.add(panel_width, example::format(light.bands == 1 ? "%d band" : "%d bands", light.bands) + texts.window, share,
+            lowest, [&](int x, int y) { return shown(rebuilt.at(x, y), least, x, y, display); });
   if (sky) {
     sheet.add(panel_width, "difference", "red: bands too bright, blue: too dark",
               example::format("full colour: %.0f %% of the screen's white", 100 * double{full_difference}),

@@ -15,7 +15,7 @@ namespace {
 using Function = zonal::Sh<max_bands, double>;
 using zonal::Quantity;
 
-Function channel_of(const Coefficients& sh, int channel) {
+Function single_channel(const Coefficients& sh, int channel) {
   Function f{};
   for (int i = 0; i < f.size(); ++i) f[i] = sh[i][channel];
   return f;
@@ -82,7 +82,7 @@ Windowed apply_window(Light& light, const WindowChoice& choice, Quantity of) {
   }
   for (int c = 0; c < 3; ++c) {
     WindowedChannel& channel = windowed.channels[static_cast<std::size_t>(c)];
-    const Function f = channel_of(before, c), g = channel_of(after, c);
+    const Function f = single_channel(before, c), g = single_channel(after, c);
     const Function f_irradiance = zonal::irradiance_over_pi(f), g_irradiance = zonal::irradiance_over_pi(g);
     channel.error = relative_error(f, g);
     channel.irradiance_error = relative_error(f_irradiance, g_irradiance);

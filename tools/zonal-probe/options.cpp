@@ -21,6 +21,7 @@ const Names<Format> format_names{{"text", Format::text},
 const Names<WindowKind> window_kinds{{"none", WindowKind::none},
                                      {"hann", WindowKind::hann},
                                      {"sinc", WindowKind::sinc},
+                                     {"laplacian", WindowKind::laplacian},
                                      {"auto", WindowKind::automatic}};
 const Names<WindowBy> window_by_names{
     {"all", WindowBy::all}, {"channel", WindowBy::channel}, {"luminance", WindowBy::luminance}};
@@ -55,7 +56,7 @@ bool parse_window(const std::string& text, WindowChoice& window) {
   if (!find_value(window_kinds, text.substr(0, colon), window.kind)) return false;
   if (colon == std::string::npos) return true;
   double width = 0;
-  const bool has_width = window.kind == WindowKind::hann || window.kind == WindowKind::sinc;
+  const bool has_width = window.kind != WindowKind::none && window.kind != WindowKind::automatic;
   if (!has_width || !parse_number(text.substr(colon + 1), width) || !(width > 0 && width <= 1000)) return false;
   window.width = width;
   return true;
@@ -130,9 +131,10 @@ void add_light_options(CLI::App& app, Options& options) {
              return parse_turns(text, options.turns);
            })
       ->group(group);
-  add_form(app, "--window", "none|hann[:W]|sinc[:W]|auto",
-           "one of none|hann|sinc|auto, with a width from 0 to 1000 as in hann:4",
-           "Against ringing; W is the degree at which it reaches 0. auto: the weakest that leaves nothing negative, of "
+  add_form(app, "--window", "NAME[:W]",
+           "one of none, hann, sinc, laplacian, auto, with a width from 0 to 1000 as in hann:4",
+           "Against ringing: none, hann, sinc, laplacian, each of width W, the number of bands where it is not given "
+           "(hann and sinc are 0 from degree W on); or auto, the weakest laplacian that leaves nothing negative, of "
            "radiance, or of irradiance where that is written",
            [&options](const std::string& text) { return parse_window(text, options.window); })
       ->default_str("none")

@@ -21,7 +21,7 @@ struct Turn {
   double degrees;
 };
 
-enum class WindowKind { none, hann, sinc, automatic };
+enum class WindowKind { none, hann, sinc, laplacian, automatic };
 /// Of `automatic`: for which colours one window is chosen.
 enum class WindowBy { all, channel, luminance };
 

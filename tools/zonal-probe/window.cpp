@@ -37,6 +37,12 @@ zonal::DeringBy by_of(WindowBy by) {
                                      : zonal::DeringBy::all_channels;
 }
 
+zonal::DeringWindow window_of(WindowKind kind) {
+  return kind == WindowKind::hann   ? zonal::DeringWindow::hann
+         : kind == WindowKind::sinc ? zonal::DeringWindow::lanczos
+                                    : zonal::DeringWindow::laplacian;
+}
+
 std::string percent(double share) { return example::format("%.3g %%", 100 * share); }
 
 /// One text, or one for each channel where they differ.
@@ -52,12 +58,13 @@ std::string of_channels(const Windowed& windowed, const Text& text) {
 
 Windowed apply_window(Light& light, const WindowChoice& choice, Quantity of) {
   Windowed windowed;
-  windowed.kind = choice.kind;
+  windowed.kind = choice.kind == WindowKind::automatic ? WindowKind::laplacian : choice.kind;
   windowed.of = of == Quantity::radiance ? Quantity::radiance : Quantity::irradiance_over_pi;
   if (choice.kind == WindowKind::none) return windowed;
   const Coefficients before = of_quantity(light, Quantity::radiance).sh;
   if (choice.kind == WindowKind::automatic) {
     zonal::DeringOptions options;
+    options.window = window_of(windowed.kind);
     options.of = windowed.of == Quantity::radiance ? zonal::DeringOf::radiance : zonal::DeringOf::irradiance;
     options.by = by_of(choice.by);
     const auto dering = zonal::dering(before, options);
@@ -70,13 +77,12 @@ Windowed apply_window(Light& light, const WindowChoice& choice, Quantity of) {
     for (WindowedChannel& channel : windowed.channels) channel.width = choice.width.value_or(light.bands);
   }
 
-  const zonal::Window kind = choice.kind == WindowKind::sinc ? zonal::Window::sinc : zonal::Window::hann;
   Coefficients after = before;
   for (int c = 0; c < 3; ++c) {
     const double width = windowed.channels[static_cast<std::size_t>(c)].width;
     if (!(width > 0)) continue;
     for (int l = 0, i = 0; l < max_bands; ++l) {
-      const double factor = zonal::window_factor(kind, l, width);
+      const double factor = zonal::dering_factor(window_of(windowed.kind), l, 1 / width);
       for (; i < (l + 1) * (l + 1); ++i) light.sh[i][c] *= factor, after[i][c] *= factor;
     }
   }
@@ -107,7 +113,9 @@ std::string window_text(const Windowed& windowed) {
   if (!is_windowed(windowed)) {
     return "none is needed; least " + of + " " + least + " of its mean";
   }
-  const std::string kind = windowed.kind == WindowKind::sinc ? "sinc" : "hann";
+  const std::string kind = windowed.kind == WindowKind::hann   ? "hann"
+                           : windowed.kind == WindowKind::sinc ? "sinc"
+                                                               : "laplacian";
   return kind + " of width " +
          of_channels(
              windowed,

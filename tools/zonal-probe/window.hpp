@@ -16,7 +16,7 @@ struct WindowedChannel {
 };
 
 struct Windowed {
-  WindowKind kind = WindowKind::none;
+  WindowKind kind = WindowKind::none;              // never `automatic`: what was found
   zonal::Quantity of = zonal::Quantity::radiance;  // what is not to be negative: radiance, or E / pi
   bool is_possible = true;                         // false where a mean is not positive: then there is none
   std::array<WindowedChannel, 3> channels{};

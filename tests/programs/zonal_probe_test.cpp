@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <thread>
 
 #include <stb_image_write.h>
 #include <zonal/transform/dot.hpp>
@@ -367,10 +368,11 @@ TEST_CASE("a signal stops the work, and nothing is written") {
   CHECK_THROWS_AS(workers.loop("x", 1)(1000,
                                        [&](int i) {
                                          if (i == 3) std::raise(SIGINT);
+                                         while (i > 3 && !example::stop_requested()) std::this_thread::yield();
                                          ++done;
                                        }),
                   example::Interrupted);
-  CHECK(done < 100);
+  CHECK(done < 7);
   const TemporaryFile file(".exr", example::exr_bytes(random_sky(24, 12)));
   Options options = options_for(file.path);
   options.out = file.path + ".txt";

@@ -144,6 +144,25 @@ TEST_CASE("Unity's nine numbers of a picture are a quadrature of it") {
   }
 }
 
+TEST_CASE("irradiance is what it was asked for") {
+  Image grey(16, 8);
+  std::fill(grey.pixels.begin(), grey.pixels.end(), glm::vec3(0.5f));
+  const TemporaryFile file(".exr", example::exr_bytes(grey));
+  Options options = options_for(file.path);
+  const double root = std::sqrt(4 * pi);
+  CHECK(run_to_json(options).numbers[0].r == Approx(0.5 * root));
+  options.quantity = zonal::Quantity::irradiance;
+  CHECK(run_to_json(options).numbers[0].r == Approx(0.5 * pi * root));
+  options.convention = "gltf_image_based";
+  options.quantity.reset();
+  CHECK(run_to_json(options).numbers[0].r == Approx(0.5 * pi * root));
+  options.convention = "unity";
+  options.quantity = zonal::Quantity::irradiance;
+  CHECK(run_to_json(options).numbers[0].r == Approx(0.5));
+  options.quantity = zonal::Quantity::radiance;
+  CHECK_THROWS_AS(run_to_json(options), example::InputError);
+}
+
 TEST_CASE("through every convention and back, by JSON") {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -248,13 +267,15 @@ TEST_CASE("turns and frames go the way their words say") {
   options.input = left.path;
   check(seen(options), {0, -1, 0});
 
-  // A strip of faces is in the interface's own directions: its first is +x, to the right of who looks along +z.
-  Image faces(16, 96);
-  for (int y = 0; y < 16; ++y) {
-    for (int x = 0; x < 16; ++x) faces.at(x, y) = glm::vec3(1.0f);
+  // A strip of faces is in the interface's own directions: its first is +x, to the right of who looks along +z, which
+  // is the fifth, and its third +y, above.
+  for (const auto& [face, expected] :
+       {std::pair(0, Direction{0, -1, 0}), {2, Direction{0, 0, 1}}, {4, Direction{1, 0, 0}}}) {
+    Image faces(8, 48);
+    std::fill_n(faces.pixels.begin() + 64 * face, 64, glm::vec3(1.0f));
+    const TemporaryFile strip(".exr", example::exr_bytes(faces));
+    check(seen(options_for(strip.path)), expected);
   }
-  const TemporaryFile strip(".exr", example::exr_bytes(faces));
-  check(seen(options_for(strip.path)), {0, -1, 0});
 }
 
 TEST_CASE("pictures of 8 bits are made linear, others are as they stand") {

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include <zonal/convention/convert.hpp>
+#include <zonal/convention/shader_forms.hpp>
 #include <zonal/file/number_text.hpp>
 
 #include "coefficients_file.hpp"
@@ -165,17 +166,26 @@ std::string shader_text(const Stored& stored, const std::string& name, const Abo
 /// What Unity hands to its shaders, and what SHEvalLinearL0L1 and SHEvalLinearL2 make of it.
 std::string unity_text(const Stored& stored, const std::string& name, const About& about) {
   std::string text = heading(stored, about, "//");
-  const auto add = [&](const std::string& type, const std::string& suffix, const std::vector<double>& numbers) {
+  const auto add = [&](const std::string& type, const std::string& suffix, const auto& numbers) {
     text += "static const " + type + " " + name + "_" + suffix + " = " + type + "(";
-    for (std::size_t i = 0; i < numbers.size(); ++i) text += (i == 0 ? "" : ", ") + literal(numbers[i], hlsl.suffix);
+    const char* between = "";
+    for (const double number : numbers) {
+      text += between + literal(number, hlsl.suffix);
+      between = ", ";
+    }
     text += ");\n";
   };
-  const std::vector<Colour>& c = stored.numbers;
+  std::vector<double> c;
+  std::vector<zonal::SevenVectors<double>> channels;
   for (int k = 0; k < 3; ++k) {
-    add("float4", std::string("SHA") + "rgb" [k], { c[3][k], c[1][k], c[2][k], c[0][k] - c[6][k] });
+    zonal::Sh<3, double> numbers{};
+    for (int i = 0; i < 9; ++i) numbers[i] = stored.numbers[static_cast<std::size_t>(i)][k];
+    channels.push_back(zonal::seven_vectors(numbers));
+    c.push_back(channels.back().c);
   }
-  for (int k = 0; k < 3; ++k) add("float4", std::string("SHB") + "rgb" [k], { c[4][k], c[5][k], 3 * c[6][k], c[7][k] });
-  add("float3", "SHC", {c[8].r, c[8].g, c[8].b});
+  for (std::size_t k = 0; k < 3; ++k) add("float4", std::string("SHA") + "rgb"[k], channels[k].a);
+  for (std::size_t k = 0; k < 3; ++k) add("float4", std::string("SHB") + "rgb"[k], channels[k].b);
+  add("float3", "SHC", c);
   const auto of_channels = [&](const std::string& suffix, const std::string& with) {
     std::string sum = "float3(";
     for (int k = 0; k < 3; ++k)

@@ -3,6 +3,7 @@
 #include <zonal/convention/complex.hpp>
 #include <zonal/convention/convert.hpp>
 #include <zonal/convention/named.hpp>
+#include <zonal/convention/shader_forms.hpp>
 #include <zonal/lobe/lambert.hpp>
 #include <zonal/transform/convolve.hpp>
 #include <zonal/transform/dot.hpp>
@@ -483,5 +484,39 @@ TEST_CASE("conventions: another frame is the same light, where its axes are") {
                        reconstruct(sh, coordinates(from, d[0], d[1], d[2]))) < 1e-13);
       }
     }
+  }
+}
+
+TEST_CASE("conventions: what shaders take is E / pi of the radiance that it came of") {
+  std::mt19937 random(6);
+  const Sh<3, double> sh = drawn<3>(random);
+  const Sh<3, double> unity = convert(sh, Convention{}, find_convention("unity")->convention);
+  const SevenVectors<double> seven = seven_vectors(unity);
+  const NinePolynomials<double> nine = nine_polynomials(unity);
+  const Sh<3, double> back = to_unity(seven);
+  for (int i = 0; i < 9; ++i) CHECK(std::abs(back[i] - unity[i]) < 1e-15);
+  // Unreal's SetupSkyIrradianceEnvironmentMapConstants, of its own coefficients; Babylon.js' updateFromHarmonics.
+  const double s = std::sqrt(pi), c0 = 1 / (2 * s), c1 = std::sqrt(3) / (3 * s), c2 = std::sqrt(15) / (8 * s),
+               c3 = std::sqrt(5) / (16 * s), c4 = c2 / 2;
+  const double unreal[9] = {-c1 * sh[3],    -c1 * sh[1], c1 * sh[2], c0 * sh[0] - c3 * sh[6], c2 * sh[4], -c2 * sh[5],
+                            3 * c3 * sh[6], -c2 * sh[7], c4 * sh[8]};
+  for (int i = 0; i < 4; ++i) {
+    CHECK(std::abs(seven.a[i] - unreal[i]) < 1e-15);
+    CHECK(std::abs(seven.b[i] - unreal[4 + i]) < 1e-15);
+  }
+  CHECK(std::abs(seven.c - unreal[8]) < 1e-15);
+  const Sh<3, double> e = convert(sh, Convention{}, [] {
+    Convention c;
+    c.quantity = Quantity::irradiance;
+    return c;
+  }());
+  CHECK(std::abs(nine.xx - (0.282095 * e[0] - 0.315392 * e[6] + 0.546274 * e[8]) / pi) < 2e-6);
+  for (const Vector& d : directions(30, 12)) {
+    const double truth = value_of(sh, Quantity::irradiance_over_pi, d);
+    CHECK(std::abs(reconstruct(seven, d) - truth) < 1e-15 * 8);
+    CHECK(std::abs(reconstruct(nine, d) - truth) < 1e-15 * 8);
+    CHECK(std::abs(reconstruct_polynomials(unity, d) - truth) < 1e-15 * 8);
+    const Numbers numbers(unity.begin(), unity.end());
+    CHECK(std::abs(::unity(numbers, d) - truth) < 1e-15 * 8);
   }
 }

@@ -110,8 +110,9 @@ bool starts_with(const std::string& text, std::string_view start) { return text.
 /// of a function.
 std::string declared_function(const std::string& line) {
   if (line.empty() || std::isspace(static_cast<unsigned char>(line[0])) != 0) return "";
-  for (const std::string_view other : {"#", "}", "/", "template", "namespace", "inline namespace", "struct", "class",
-                                       "using", "enum", "static_assert", "extern", "friend", "public", "private", "decltype"}) {
+  for (const std::string_view other :
+       {"#", "}", "/", "template", "namespace", "inline namespace", "struct", "class", "using", "enum", "static_assert",
+        "extern", "friend", "public", "private", "decltype"}) {
     if (starts_with(line, other)) return "";
   }
   const std::size_t end = line.find('(');
@@ -139,7 +140,8 @@ std::set<Name> public_functions() {
       } else if (at == 0 || starts_with(line, "inline namespace ")) {
         const std::size_t first = at + std::string_view("namespace ").size();
         within.push_back(line.substr(first, line.find(' ', first) - first));
-      } else if (std::find(within.begin(), within.end(), "detail") == within.end()) {
+      } else if (std::none_of(within.begin(), within.end(),
+                              [](const std::string& name) { return starts_with(name, "detail"); })) {
         const std::string function = declared_function(line);
         const bool is_reference = std::find(within.begin(), within.end(), "reference") != within.end();
         if (!function.empty()) names.emplace(room, (is_reference ? "reference::" : "") + function);

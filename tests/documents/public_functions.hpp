@@ -33,7 +33,10 @@ inline constexpr Covered kCovered[] = {
     {"basis", "get with_bands about_axis direction_span dispatch_bands", "", kCopies},
 
     {"convention", "convert change_frame", "rotate", ""},
-    {"convention", "evaluate_in to_complex from_complex", "", "values times constants: one rounding more, or two"},
+    {"convention", "evaluate_in to_complex from_complex seven_vectors to_unity nine_polynomials", "",
+     "values times constants: one rounding more, or two"},
+    {"convention", "reconstruct reconstruct_polynomials", "reconstruct", ""},
+    {"convention", "diagnosis_directions diagnose describe", "", "to the tolerance that is asked for"},
     {"convention", "is_right_handed axes_between greatest_degree stored_index find_convention", "", kChoices},
 
     {"environment", "project", "project", ""},

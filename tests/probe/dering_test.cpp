@@ -114,6 +114,42 @@ TEST_CASE("probe: least values are below all others, and their bounds below them
   check_least_values<5>(10, 1e-4);
 }
 
+TEST_CASE("probe: the least value at the bottom of a narrow dip, and the slopes of slopes that may be") {
+  probes::Random random(6);
+  for (int i = 0; i < 60; ++i) {
+    const Vec3 bottom = random.direction();
+    const Sh<5, double> f = -zonal::evaluate<5>(bottom);
+    const auto least = zonal::least_value(f, 1e-3);
+    CAPTURE(bottom, least.value, least.bound);
+    CHECK(least.value <= -25 / (4 * probes::pi) * (1 - 1e-3));
+    CHECK(least.bound <= -25 / (4 * probes::pi));
+  }
+  // The greatest third derivative of norm 1 is the length of the vector of all harmonics' third derivatives.
+  constexpr double h = 2e-3;
+  const auto at_angle = [](double t) { return Vec3{std::sin(t), 0, std::cos(t)}; };
+  const auto at = [&](double t) { return zonal::evaluate<5>(at_angle(t)); };
+  const Sh<5, double> third = (at(2 * h) - at(h) * 2 + at(-h) * 2 - at(-2 * h)) / (2 * h * h * h);
+  for (int l = 1; l < 5; ++l) {
+    double square = 0;
+    for (int i = l * l; i < (l + 1) * (l + 1); ++i) square += third[i] * third[i];
+    const double greatest = std::sqrt(square / (2 * l + 1) * (4 * probes::pi));
+    CAPTURE(l, greatest);
+    CHECK(std::abs(zonal::detail::greatest_third_derivative(l) / greatest - 1) < 1e-3);
+    // A function that has it, and no slope, for degree 1 takes that away: its bound within a small angle is nearly
+    // reached.
+    Sh<5, double> f{};
+    for (int i = l * l; l > 1 && i < (l + 1) * (l + 1); ++i) f[i] = third[i];
+    f[3] = (zonal::reconstruct(f, at_angle(h)) - zonal::reconstruct(f, at_angle(-h))) / (2 * h) /
+           std::sqrt(3 / (4 * probes::pi));
+    const double angle = 0.2 / l;
+    const auto found = zonal::detail::bound_about(f, zonal::detail::third_derivative_of(f), at_angle(0), angle);
+    const double reached = std::min(zonal::reconstruct(f, at_angle(angle)), zonal::reconstruct(f, at_angle(-angle)));
+    CAPTURE(found.bound, reached, found.value);
+    CHECK(found.bound <= reached + 1e-12);
+    if (l > 2) CHECK(found.bound >= 1.4 * reached);
+  }
+}
+
 TEST_CASE("probe: three bands by their equation and by cells") {
   probes::Random random(5);
   for (int i = 0; i < 30; ++i) {

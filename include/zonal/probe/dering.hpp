@@ -41,7 +41,7 @@ enum class DeringOf { radiance, irradiance };
 enum class DeringBy { channel, all_channels, luminance };
 
 struct DeringOptions {
-  DeringWindow window = DeringWindow::laplacian;
+  DeringWindow window = DeringWindow::lanczos_fourth;
   DeringOf of = DeringOf::radiance;
   DeringBy by = DeringBy::all_channels;
 };

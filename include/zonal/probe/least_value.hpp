@@ -165,6 +165,12 @@ inline LeastValue least_value(const Sh<3, double>& f) {
   return result;
 }
 
+// Along a great circle, of a function of degree l, in units of ||f_l|| sqrt((2l+1)/4pi).
+inline double greatest_third_derivative(int l) {
+  const double k = l * (l + 1);
+  return std::sqrt(k / 2 + 15 * k * (k - 2) / 8 + 5 * k * (k - 2) * (k - 6) / 16);
+}
+
 // A square of a cube's face: its middle and half its side, in the plane at distance 1.
 struct SphereCell {
   double u, v, half, bound;
@@ -203,24 +209,46 @@ inline double least_of_quadratic(const double (&g)[2], double h00, double h01, d
   return best;
 }
 
+// What the third derivative may be anywhere.
+template <int N>
+double third_derivative_of(const Sh<N, double>& f) {
+  const auto greatest = greatest_of_degrees(f);
+  double sum = 0;
+  for (int l = 1; l < N; ++l) sum += greatest[std::size_t(l)] * greatest_third_derivative(l);
+  return sum;
+}
+
+// The value in a direction, and a bound of those within an angle of it.
+struct BoundedValue {
+  double value, bound;
+};
+template <int N>
+BoundedValue bound_about(const Sh<N, double>& f, double third, const std::array<double, 3>& d, double angle) {
+  const auto basis = evaluate_with_hessian<N>(d);
+  const double z[3] = {d[0], d[1], d[2]}, value = dot(f, basis.value);
+  double x[3], y[3], first[3], second[6];
+  complete_frame(z, x, y);
+  for (int i = 0; i < 3; ++i) first[i] = dot(f, basis.gradient[i]);
+  for (int i = 0; i < 6; ++i) second[i] = dot(f, basis.hessian[i]);
+  const auto twice = [&](const double(&a)[3], const double(&b)[3]) {
+    return a[0] * (second[0] * b[0] + second[1] * b[1] + second[2] * b[2]) +
+           a[1] * (second[1] * b[0] + second[3] * b[1] + second[4] * b[2]) +
+           a[2] * (second[2] * b[0] + second[4] * b[1] + second[5] * b[2]);
+  };
+  const double g[2] = {dot3(first, x), dot3(first, y)};
+  const double least = least_of_quadratic(g, twice(x, x), twice(x, y), twice(y, y), angle);
+  return {value, value + least - angle * angle * angle * third / 6};
+}
+
 // By cells, to the tolerance; or, if `enough` is finite, until no value is below that, or the least one, below it, is
 // known to a tenth of what it lacks.
 template <int N>
 LeastValue least_value_by_cells(const Sh<N, double>& f, double enough, double tolerance) {
-  const double rounding = rounding_of_values(f);
-  const auto greatest = greatest_of_degrees(f);
-  double bend = 0;
-  for (int l = 1; l < N; ++l) {
-    const double k = l * (l + 1);
-    bend += greatest[std::size_t(l)] * std::sqrt(k / 2 + 15 * k * (k - 2) / 8 + 5 * k * (k - 2) * (k - 6) / 16);
-  }
+  const double rounding = rounding_of_values(f), third = third_derivative_of(f);
   LeastValue result{std::numeric_limits<double>::infinity(), 0, {0, 0, 1}};
-  if (!(bend < std::numeric_limits<double>::infinity())) return {result.value, -result.value, result.direction};
+  if (!(third < std::numeric_limits<double>::infinity())) return {result.value, -result.value, result.direction};
   const auto look = [&](int face, double u, double v, double half) {
     const std::array<double, 3> d = on_face(face, u, v);
-    const auto basis = evaluate_with_hessian<N>(d);
-    const double value = dot(f, basis.value);
-    if (value < result.value) result.value = value, result.direction = d;
     double chord = 0;  // squared, to the farthest corner: a cap that holds the corners of a cell holds the cell
     for (int corner = 0; corner < 4; ++corner) {
       const auto e = on_face(face, u + (corner % 2 == 0 ? half : -half), v + (corner < 2 ? half : -half));
@@ -229,20 +257,9 @@ LeastValue least_value_by_cells(const Sh<N, double>& f, double enough, double to
       chord = (std::max)(chord, square);
     }
     const double radius = 2 * std::asin((std::min)(std::sqrt(chord) / 2, 1.0)) * (1 + 1e-12);
-
-    const double z[3] = {d[0], d[1], d[2]};
-    double x[3], y[3], first[3], second[6];
-    complete_frame(z, x, y);
-    for (int i = 0; i < 3; ++i) first[i] = dot(f, basis.gradient[i]);
-    for (int i = 0; i < 6; ++i) second[i] = dot(f, basis.hessian[i]);
-    const auto twice = [&](const double(&a)[3], const double(&b)[3]) {
-      return a[0] * (second[0] * b[0] + second[1] * b[1] + second[2] * b[2]) +
-             a[1] * (second[1] * b[0] + second[3] * b[1] + second[4] * b[2]) +
-             a[2] * (second[2] * b[0] + second[4] * b[1] + second[5] * b[2]);
-    };
-    const double g[2] = {dot3(first, x), dot3(first, y)};
-    const double least = least_of_quadratic(g, twice(x, x), twice(x, y), twice(y, y), radius);
-    return SphereCell{u, v, half, value + least - radius * radius * radius * bend / 6, face};
+    const BoundedValue found = bound_about(f, third, d, radius);
+    if (found.value < result.value) result.value = found.value, result.direction = d;
+    return SphereCell{u, v, half, found.bound, face};
   };
 
   std::vector<SphereCell> cells;  // a heap

@@ -232,7 +232,7 @@ std::array<double, 3> best_axis(const double (&v)[3], const double (&forms)[Coun
         change += move * move, a[i] += move, square += a[i] * a[i];
       }
       for (double& x : a) x /= std::sqrt(square);
-      if (change < 1e-26) break;
+      if (change < 1e-18) break;
     }
     return value;
   };

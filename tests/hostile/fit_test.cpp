@@ -73,6 +73,16 @@ TEST_CASE("hostile: directions of any length and weights of any size give the sa
     // 1e-320 is known to 2000 steps.
     CHECK(worst_difference(fit.sh) <= (length < 1e-310 ? 3e-3 : 1e-14));
   }
+  // Of the least numbers there are, to the bit: the corners, edges and faces of a cube.
+  zonal::SampleFitter<N, double> usual, least;
+  for (int i = 0; i < 27; ++i) {
+    const Vec3 d{double(i % 3 - 1), double(i / 3 % 3 - 1), double(i / 9 - 1)};
+    const double tiny = std::numeric_limits<double>::denorm_min();
+    usual.add(d, double(i * i % 7));
+    least.add({tiny * d[0], tiny * d[1], tiny * d[2]}, double(i * i % 7));
+  }
+  CHECK(least.solve().left_out == 1);
+  CHECK(least.solve().sh == usual.solve().sh);
   for (const double weight : {1e100, 1e-50, 1e-100}) {
     zonal::SampleFitter<N, double> fitter;
     add(fitter, 1, weight);

@@ -308,5 +308,7 @@ TEST_CASE("plan: 200 materials in milliseconds") {
     best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
   WARN("200 glossy materials of 10 bands, receivers and emission: " << best * 1e3 << " ms");
+#ifdef NDEBUG
   CHECK(best < 0.1);
+#endif
 }

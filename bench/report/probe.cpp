@@ -6,12 +6,12 @@
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <zonal/environment/guess.hpp>
-#include <zonal/environment/project.hpp>
 #include <zonal/probe/dering.hpp>
 #include <zonal/probe/nonlinear_l1.hpp>
 #include <zonal/probe/six_floats.hpp>
@@ -94,24 +94,38 @@ std::vector<Environment> all_environments() {
   return all;
 }
 
-// E / pi at each normal, texel by texel.
-std::vector<Rgb> true_irradiance(const zonal::Environment<float>& environment, const std::vector<Vec3>& normals) {
-  std::vector<Rgb> sums(normals.size(), Rgb{0, 0, 0});
+// Three bands of radiance, and E / pi at each normal, both texel by texel.
+struct Truth {
+  zonal::Sh<3, Rgb> probe;
+  std::vector<Rgb> irradiance;
+};
+Truth sum_texels(const zonal::Environment<float>& environment, const std::vector<Vec3>& normals) {
+  Truth truth{{}, std::vector<Rgb>(normals.size(), Rgb{0, 0, 0})};
+  std::vector<Vec3> directions;
+  std::vector<Rgb> light;  // radiance times solid angle
+  const auto add_row = [&] {
+    zonal::Sh<3, Rgb> of_row{};
+    for (std::size_t k = 0; k < light.size(); ++k) of_row += zonal::evaluate<3>(directions[k]) * light[k];
+    truth.probe += of_row;
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+      Rgb sum{0, 0, 0};
+      for (std::size_t k = 0; k < light.size(); ++k) sum += light[k] * std::max(dot(normals[i], directions[k]), 0.0F);
+      truth.irradiance[i] += sum * (1 / 3.14159265F);
+    }
+    directions.clear(), light.clear();
+  };
   environment.visit([&](const auto& mapping) {
     for (int row = 0; row < environment.height(); ++row) {
-      std::vector<Rgb> of_row(normals.size(), Rgb{0, 0, 0});
       for (int column = 0; column < environment.width(); ++column) {
         if (!mapping.has_direction(column, row)) continue;
         const auto d = mapping.direction(column + 0.5, row + 0.5);
-        const Vec3 w{float(d[0]), float(d[1]), float(d[2])};
-        const Rgb radiance =
-            environment.picture().rgb(column, row) * float(mapping.solid_angle(column, row) / 3.14159265);
-        for (std::size_t i = 0; i < normals.size(); ++i) of_row[i] += radiance * std::max(dot(normals[i], w), 0.0F);
+        directions.push_back({float(d[0]), float(d[1]), float(d[2])});
+        light.push_back(environment.picture().rgb(column, row) * float(mapping.solid_angle(column, row)));
       }
-      for (std::size_t i = 0; i < normals.size(); ++i) sums[i] += of_row[i];
+      add_row();
     }
   });
-  return sums;
+  return truth;
 }
 
 class Forms {
@@ -120,12 +134,12 @@ class Forms {
       : name_(e.name),
         source_(e.source),
         normals_(normals),
-        environment_(zonal::guess_environment(zonal::Picture<const float>(e.texels.data(), e.width, e.height))),
-        truth_(true_irradiance(environment_, normals)) {}
+        truth_(sum_texels(zonal::guess_environment(zonal::Picture<const float>(e.texels.data(), e.width, e.height)),
+                          normals)) {}
 
   void print_all() const {
     const zonal::LambertLobe lambert;
-    const auto probe = zonal::project<3>(environment_);
+    const zonal::Sh<3, Rgb>& probe = truth_.probe;
     const auto linear = zonal::with_bands<2>(probe);
     print("3 bands, floats", 108, [&](const Vec3& n) { return zonal::reconstruct_convolved(probe, lambert, n); });
     print_stored("3 bands, halves", 54, probe, [](const auto& sh) { return zonal::to_halves(sh); });
@@ -156,13 +170,12 @@ class Forms {
 
  private:
   // Root mean square and greatest error over the root mean square of E / pi, and the least value over it.
-  template <class Value>
-  void print(const char* form, int bytes, const Value& value) const {
+  void print(const char* form, int bytes, const std::function<Rgb(const Vec3&)>& value) const {
     double squares = 0, errors = 0, greatest = 0, least = 1e30;
     for (std::size_t i = 0; i < normals_.size(); ++i) {
       const Rgb found = value(normals_[i]);
       for (int c = 0; c < 3; ++c) {
-        const double exact = double(truth_[i][c]), error = std::abs(double(found[c]) - exact);
+        const double exact = double(truth_.irradiance[i][c]), error = std::abs(double(found[c]) - exact);
         squares += exact * exact, errors += error * error;
         greatest = std::max(greatest, error), least = std::min(least, double(found[c]));
       }
@@ -187,8 +200,7 @@ class Forms {
 
   std::string name_, source_;
   const std::vector<Vec3>& normals_;
-  zonal::Environment<float> environment_;
-  std::vector<Rgb> truth_;
+  Truth truth_;
 };
 
 }  // namespace

@@ -233,6 +233,17 @@ TEST_CASE("doctor: faults of public reports") {
   wrong = table_of<4>(Convention{});
   for (std::size_t k = 0; k < wrong.directions.size(); ++k) wrong.at(k, 13) = wrong.at(k, 3) + wrong.at(k, 7);
   CHECK(has_fault(diagnose(wrong), "(3,1) mixes harmonics: it is 1 (1,1) + 1 (2,1)"));
+  // A copy of Unreal's SHBasisFunction3 in another engine, which lost the squares: 3z - 1 and x - y.
+  wrong = table_of<3>(Convention{});
+  for (std::size_t k = 0; k < wrong.directions.size(); ++k) {
+    const auto [x, y, z] = wrong.directions[k];
+    wrong.at(k, 6) = 0.315392 * (3 * z - 1);
+    wrong.at(k, 8) = 0.546274 * (x - y);
+  }
+  found = diagnose(wrong);
+  CHECK(found.faults.size() == 2);
+  CHECK(has_fault(found, "(2,0) mixes harmonics: it is 1.9365 (1,0) + -1.118 (0,0)"));
+  CHECK(has_fault(found, "(2,2) mixes harmonics: it is "));
   // Six-digit constants are no fault; 0.886277 for 0.886227 (Babylon.js' polynomial) is one.
   wrong = table_of<3>(Convention{});
   for (std::size_t k = 0; k < wrong.directions.size(); ++k) {

@@ -16,6 +16,7 @@
 #include <Eigen/Core>
 #include <Eigen/QR>
 #include <Eigen/SVD>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -131,7 +132,7 @@ struct Fit {
 /// colour made of these alone: glm::vec3, Eigen::Vector3f, a struct of three floats with c[i].
 ///
 /// Left out, and counted: samples whose direction is zero, whose weight is negative, or of which any number is NaN,
-/// infinite, or larger than 1e100. A weight of 0 is one that counts for nothing.
+/// infinite, or larger than 1e100. A weight of 0 is one that counts for nothing, and so does one below 1e-100.
 template <int N, class C>
 class SampleFitter {
  public:
@@ -160,23 +161,28 @@ class SampleFitter {
       row[std::size_t(N * N + c)] = double(numbers[c]);
       is_good = is_good && std::abs(double(numbers[c])) <= most;
     }
-    const double length = std::hypot(direction[0], direction[1], direction[2]);
+    std::array<double, 3> d = direction;
+    if (std::hypot(d[0], d[1], d[2]) < 1e-290) {  // a length of few digits
+      for (double& x : d) x *= 0x1p+200;
+    }
+    const double length = std::hypot(d[0], d[1], d[2]);
     if (!(is_good && 0 < length && length <= most)) {
       ++left_out_;
       return;
     }
-    evaluate<N>(direction[0] / length, direction[1] / length, direction[2] / length,
+    evaluate<N>(d[0] / length, d[1] / length, d[2] / length,
                 [&](auto l, auto m, double y) { row[std::size_t(sh_index(l, m))] = y; });
-    triangle_.add(row.data(), weight);
+    triangle_.add(row.data(), weight < least ? 0.0 : weight);
     ++used_;
   }
 
   /// The best coefficients for the samples so far; more may follow. smoothness >= 0, in units of the values' squared
   /// per squared Laplacian: 0 fits as closely as N bands can; smoothness (l (l + 1))^2 = 1 halves degree l of a well
-  /// sampled function.
+  /// sampled function. From 1e14 on all counts as that: it leaves the mean. What is negative or no number counts as 0.
   Fit<N, C> solve(double smoothness = 0) {
     Eigen::VectorXd penalty(N * N);
-    const double factor = smoothness > 0 ? std::sqrt(smoothness) : 0.0;
+    constexpr double most_smoothness = 1e14;  // more, and degree 0 would seem to be unknown beside the others
+    const double factor = smoothness > 0 ? std::sqrt((std::min)(smoothness, most_smoothness)) : 0.0;
     for (int l = 0, i = 0; l < N; ++l) {
       for (; i < (l + 1) * (l + 1); ++i) penalty[i] = factor * l * (l + 1);
     }
@@ -195,7 +201,8 @@ class SampleFitter {
   }
 
  private:
-  static constexpr double most = 1e100;  // squares of values, weighted, stay finite
+  static constexpr double most = 1e100;    // squares of values, weighted, stay finite,
+  static constexpr double least = 1e-100;  // and those of basis values, weighted, are numbers of all digits
 
   detail::SampleTriangle triangle_{N * N, channels};
   std::size_t used_ = 0, left_out_ = 0;

@@ -148,7 +148,7 @@ std::vector<GaussianLight> make_gaussian_lights(const VirtualLight* map, int sid
       for (int row = top; row < (std::min)(top + block, side); ++row) {
         for (int column = left; column < (std::min)(left + block, side); ++column) {
           const VirtualLight& texel = map[row * side + column];
-          if (texel.brdf == nullptr || glm::dot(texel.normal, texel.to_primary) <= 0.0F) continue;
+          if (texel.brdf == nullptr || !(glm::dot(texel.normal, texel.to_primary) > 0.0F)) continue;
           for (const BrdfLobe& lobe : texel.brdf->lobes) detail::add_lobe(texel, lobe, diffuse, glossy);
         }
       }

@@ -23,6 +23,7 @@
 #include "../scalar/for_each.hpp"
 #include "../scalar/prefetch.hpp"
 #include "degree_norms.hpp"
+#include "sort_key.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
@@ -218,7 +219,9 @@ class LightTree {
       const auto width = [&](int k) { return k < 3 ? size[k] : turn[k - 3]; };
       if (width(axis) < width(i)) axis = i;
     }
-    const auto key = [axis](const Place& p) { return axis < 3 ? p.position[axis] : p.normal[axis - 3]; };
+    const auto key = [axis](const Place& p) {
+      return detail::sort_key(axis < 3 ? p.position[axis] : p.normal[axis - 3]);
+    };
     std::nth_element(places, places + count / 2, places + count, [&](const Place& a, const Place& b) {
       return key(a) < key(b) || (!(key(b) < key(a)) && a.light < b.light);
     });

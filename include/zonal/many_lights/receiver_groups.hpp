@@ -11,6 +11,7 @@
 
 #include "../scalar/index.hpp"
 #include "../scalar/target.hpp"
+#include "sort_key.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
@@ -127,7 +128,9 @@ inline int halve_receivers(GroupedReceiver* receivers, int count, float length) 
   const glm::vec3 turn = length * (box.normals.high - box.normals.low);
   const float extent[6] = {size.x, size.y, size.z, turn.x, turn.y, turn.z};
   const int axis = int(std::max_element(extent, extent + 6) - extent);
-  const auto key = [axis](const GroupedReceiver& r) { return axis < 3 ? r.position[axis] : r.normal[axis - 3]; };
+  const auto key = [axis](const GroupedReceiver& r) {
+    return detail::sort_key(axis < 3 ? r.position[axis] : r.normal[axis - 3]);
+  };
   std::nth_element(receivers, receivers + count / 2, receivers + count,
                    [&](const GroupedReceiver& a, const GroupedReceiver& b) {
                      return key(a) < key(b) || (!(key(b) < key(a)) && a.index < b.index);
@@ -193,6 +196,8 @@ void for_each_receiver_group(GroupedReceiver* receivers, int count, const Visit&
     return (axis < 3 ? r.position[axis] : r.normal[axis - 3]) < split.middle;
   });
   const int first_count = int(middle - receivers);
+  // Where no number lies between, as of neighbouring floats, or infinities stand.
+  if (first_count == 0 || first_count == count) return visit(receivers, count);
   for_each_receiver_group(receivers, first_count, visit);
   for_each_receiver_group(middle, count - first_count, visit);
 }

@@ -9,6 +9,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <vector>
 
 #include "../catch.hpp"
 #include "probes.hpp"
@@ -181,4 +183,9 @@ TEST_CASE("probe: what halves and bytes lose stays within their bounds") {
   CHECK(std::abs(zonal::to_floats(zonal::to_halves(Sh<1, float>{{1e6F}}))[0] - 65504.0F) <= 0);
   CHECK(std::abs(zonal::to_floats(zonal::to_bytes(Sh<2, float>{{0, 0, 0, 0}}))[3]) <= 0);
   CHECK(std::abs(zonal::to_floats(zonal::to_bytes(Sh<1, float>{{8e6F}}))[0] / 8e6F - 1) <= 1e-3F);
+  const float infinity = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+  const auto odd = zonal::to_floats(zonal::to_bytes(Sh<2, float>{{1, nan, infinity, -infinity}}));
+  CHECK(std::abs(odd[1]) <= 0);
+  CHECK(std::abs(odd[2] + odd[3]) <= 0);
+  CHECK(odd[2] > 8e6F);
 }

@@ -56,6 +56,7 @@ refused("nobody's list" "nine.txt: whose numbers are these. --from NAME .*" nine
 refused("eight numbers" "eight.txt: holds 8 numbers, which is neither N.N nor .*" eight.txt --from unity)
 refused("NaN in a list" "nan.txt: 'nan' is no finite number" nan.txt --from unity --out x.txt)
 refused("infinity in a list" "infinite.txt: 'inf' is no finite number" infinite.txt --from unity --out x.txt)
+refused("bytes in a list" "bytes.txt: '.+' is no number" bytes.txt --from unity)
 refused("words in a list" "words.txt: 'one' is no number" words.txt --from unity)
 refused("NaN in JSON" "nan_json.txt: cannot be read as JSON .*" nan_json.txt --out x.txt)
 refused("null in JSON" "null.json: 'null' among the coefficients is no number" null.json --out x.txt)

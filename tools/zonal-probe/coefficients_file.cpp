@@ -1,5 +1,6 @@
 #include "coefficients_file.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstddef>
@@ -32,8 +33,11 @@ std::string read_text(const fs::path& path) {
   return text;
 }
 
-[[noreturn]] void fail(const fs::path& path, const std::string& what) {
-  throw InputError(path.string() + ": " + example::one_line(what));
+/// What is quoted of a file may be anything.
+[[noreturn]] void fail(const fs::path& path, std::string what) {
+  std::replace_if(
+      what.begin(), what.end(), [](char c) { return (c >= 0 && c < ' ') || c == 127; }, '?');
+  throw InputError(path.string() + ": " + what);
 }
 
 double checked(const fs::path& path, double number, const std::string& text) {

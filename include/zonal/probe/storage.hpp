@@ -67,8 +67,10 @@ ByteSh<N, by> to_bytes(const Sh<N, float>& sh) {
   for (int l = 0; l < N; ++l) {
     const float scale = to_float(r.scale[detail::scale_of_degree(by, l)]);
     for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
-      const float k = scale > 0 ? std::nearbyint(sh[i] / scale) : 0;
-      r.values[i] = static_cast<std::int8_t>((std::min)((std::max)(k, -127.0F), 127.0F));
+      const float k = scale > 0 ? sh[i] / scale : 0.0F;
+      // Clamped first: nothing else is sure to fit. What is no number is 0.
+      r.values[i] =
+          static_cast<std::int8_t>(std::isnan(k) ? 0.0F : std::nearbyint((std::min)((std::max)(k, -127.0F), 127.0F)));
     }
   }
   return r;

@@ -64,6 +64,7 @@ int main(int, char** argv) {
   write(folder / "eight.txt", repeated(8, "0.5 "));
   write(folder / "nan.txt", "1 2 nan" + repeated(6, " 1"));
   write(folder / "infinite.txt", "1 2 inf" + repeated(6, " 1"));
+  write(folder / "bytes.txt", std::string("\0\1\x1b[2J", 6));
   write(folder / "words.txt", "one two three");
   write(folder / "unity.json", json("unity", 3, "0.5", 9));
   write(folder / "five.json", json("zonal", 5, "0.5", 25));

@@ -113,7 +113,6 @@ TEST_CASE("Unity's nine numbers of a picture are a quadrature of it") {
   // E / pi = sum of c_i p_i with p = 1, y, z, x, xy, yz, 3zz-1, xz, xx-yy in Unity's x right, y up, z ahead: each c_i
   // is what the clamped cosine over pi leaves of a degree (1, 2/3, 1/4) times p_i's share, (integral of L p) / (that of
   // p p). The picture's mean is taken off first, for it is in the first number alone.
-  const double pi = 3.14159265358979323846;
   const double squares[9] = {4 * pi,      4 * pi / 3,  4 * pi / 3,  4 * pi / 3,  4 * pi / 15,
                              4 * pi / 15, 16 * pi / 5, 4 * pi / 15, 16 * pi / 15};
   const double kept[9] = {1, 2.0 / 3, 2.0 / 3, 2.0 / 3, 0.25, 0.25, 0.25, 0.25, 0.25};

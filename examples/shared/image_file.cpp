@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -36,11 +37,18 @@ struct StbPicture {
   std::vector<Sample> samples;
 };
 
-/// By a function of stb_image; with 1 or 3 channels, whatever the file has. stb_image is asked for those of the file:
-/// of PNM files of 16 bits it would read beyond its memory to make others of them.
+/// PNM of 16 bits: of these stb_image 2.27 reads beyond its memory, and takes their bytes in the wrong order.
+bool is_long_pnm(const std::string& path) {
+  char magic[2] = {};
+  std::ifstream(path, std::ios::binary).read(magic, 2);
+  return magic[0] == 'P' && stbi_is_16_bit(path.c_str()) != 0;
+}
+
+/// By a function of stb_image; with 1 or 3 channels, whatever the file has.
 template <class Sample>
 StbPicture<Sample> read_by_stb(const std::string& path, Sample* (*load)(const char*, int*, int*, int*, int),
                                int channels, std::int64_t most_pixels) {
+  if (is_long_pnm(path)) throw InputError(path + ": is PNM of 16 bits, which is not read; PNG is");
   int width = 0, height = 0, in_file = 0;
   if (stbi_info(path.c_str(), &width, &height, &in_file) != 0) check_size(path, width, height, most_pixels);
   const std::unique_ptr<Sample, decltype(&stbi_image_free)> read(load(path.c_str(), &width, &height, &in_file, 0),

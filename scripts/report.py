@@ -237,8 +237,31 @@ def furnace(folder):
         table(titles, lines)])
 
 
+# ---- Probe -----------------------------------------------------------------------------------------------------------
+
+def probe(folder):
+    rows = read(folder, "probe")
+    environments, lines = distinct(rows, "environment"), []
+    files = distinct(where(rows, source="file"), "environment")
+    for form, size in distinct(rows, "form", "bytes"):
+        here = where(rows, form=form)
+        errors = sorted(row["rmse"] for row in here)
+        worst = max(here, key=lambda row: row["rmse"])
+        lines.append([form.replace(";", ","), f"{size:.0f}", f"{100 * errors[len(errors) // 2]:.2f}",
+                      f"{100 * worst['rmse']:.1f} ({worst['environment']})",
+                      f"{100 * max(row['greatest'] for row in here):.0f}",
+                      f"{min(row['least'] for row in here):.2f}"])
+    titles = ["form, RGB", "bytes", "median error, %", "worst, %", "greatest at a normal, %", "least value"]
+    return "\n\n".join([
+        "## Probe", figure("probe", "error of irradiance by what is kept of a probe, against bytes"),
+        f"Irradiance by what is kept of a probe, against the sum over all texels, in {len(environments)} environments, "
+        f"{len(files)} of which are pictures of real ones ({listed(files)}): root mean square over normals and channels, "
+        "in units of that of irradiance, as are the greatest error and the least value. What is not bytes or halves is "
+        "floats; halves need half of the bytes, and err as much.", table(titles, lines)])
+
+
 PARTS = {"gather": gather, "many_lights": many_lights, "evaluation": evaluation, "interpolation": interpolation, "triangles": triangles,
-         "stiff": stiff, "materials": materials, "furnace": furnace, "screen": screen, "field": field}
+         "stiff": stiff, "materials": materials, "furnace": furnace, "probe": probe, "screen": screen, "field": field}
 
 
 def main(command, folder):

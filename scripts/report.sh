@@ -1,14 +1,16 @@
 #!/usr/bin/env bash
 # Writes docs/report: data as CSV, plots, and a page that shows them. Installs and builds what it needs.
 #   report.sh [--full] [PART...]
-# PART: gather, evaluation, interpolation, triangles, stiff, materials, furnace, many_lights, screen, field; all of them where none is named.
+# PART: gather, evaluation, interpolation, triangles, stiff, materials, furnace, probe, many_lights, screen, field; all of them where none
+# is named.
 # On two cores with nothing else to do three minutes for the screen, five for the field, ten for many lights, under five for all others; --full
-# takes hours. Files of measured materials in $ZONAL_DATA/merl and $ZONAL_DATA/rgl are part of it. To draw all anew from
+# takes hours. Files of measured materials in $ZONAL_DATA/merl and $ZONAL_DATA/rgl are part of it, and pictures of
+# surroundings in $ZONAL_DATA, EXR and HDR. To draw all anew from
 # the CSV files: report.py plot docs/report.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-all_parts=(evaluation interpolation triangles stiff materials furnace gather many_lights screen field)
+all_parts=(evaluation interpolation triangles stiff materials furnace probe gather many_lights screen field)
 full=() parts=()
 for argument in "$@"; do
   if [ "$argument" = --full ]; then

@@ -299,6 +299,41 @@ def furnace(folder):
     save(figure, folder, "furnace")
 
 
+PROBE_STYLE = {"3 bands; floats": (BLACK, "o"), "3 bands; halves": (BLACK, "s"), "3 bands; bytes by band": (BLACK, "v"),
+               "3 bands; bytes": (BLACK, "D"), "ZH3; solved": (BLUE, "o"), "ZH3; hallucinated": (SKY, "^"),
+               "2 bands": (RED, "o"), "2 bands; non-linear": (ORANGE, "s"), "six floats": (PURPLE, "o"),
+               "six floats; non-linear": (GREEN, "s")}
+
+
+def probe(folder):
+    rows = read(folder, "probe")
+    if not rows:
+        return
+    sources = [(source, title) for source, title in (("file", "pictures of real ones"), ("made", "made ones"))
+               if where(rows, source=source)]
+    figure, axes = panels(1, len(sources), height=3.6, sharex=True, sharey=True)
+    # Forms of equal size side by side.
+    shift = {"six floats": 0.97, "six floats; non-linear": 1.03, "ZH3; hallucinated": 0.98, "2 bands; non-linear": 1.03}
+    for axis, (source, title) in zip(axes[0], sources):
+        for form, (colour, marker) in PROBE_STYLE.items():
+            here = where(rows, source=source, form=form)
+            errors = sorted(100 * row["rmse"] for row in here)
+            x = here[0]["bytes"] * shift.get(form, 1)
+            axis.plot([x] * len(errors), errors, "_", color=colour, alpha=0.6, markersize=5)
+            axis.plot(x, errors[len(errors) // 2], marker, color=colour, zorder=3)
+        axis.set(xscale="log", yscale="log", xlabel="bytes of a probe, RGB", title=f"environments: {title}",
+                 xticks=[24, 33, 45, 54, 60, 108])
+        axis.xaxis.set_major_formatter(matplotlib.ticker.FormatStrFormatter("%g"))
+        axis.xaxis.set_minor_locator(matplotlib.ticker.NullLocator())
+        plain_ticks(axis.yaxis)
+    axes[0][0].set_ylabel("error of irradiance, %")
+    handles = [key(form.replace(";", ","), color=colour, marker=marker, linestyle="")
+               for form, (colour, marker) in PROBE_STYLE.items()]
+    handles.append(key("an environment (filled: median)", color="#888888", marker="_", linestyle=""))
+    legend_below(figure, handles, 4)
+    save(figure, folder, "probe")
+
+
 FILTER_STYLE = {"radiance": (BLUE, "^"), "irradiance": (RED, "o"), "irradiance-strict": (ORANGE, "s"),
                 "sg": (GREEN, "v"), "l1": (PURPLE, "D"), "none": (BLACK, "x")}
 SCREEN_SCENE = {"diffuse": "matte, panel", "bumped": "bumped, three points", "bumped-area": "bumped, panel",
@@ -515,5 +550,5 @@ def overview(folder):
     save(figure, folder, "overview")
 
 
-ALL = [gather, many_lights, evaluation, interpolation, triangles, stiff, materials, furnace, screen, screen_sets, field,
+ALL = [gather, many_lights, evaluation, interpolation, triangles, stiff, materials, furnace, probe, screen, screen_sets, field,
        field_time, overview]

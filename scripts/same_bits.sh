@@ -7,6 +7,7 @@ root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 build="${1:-$root/build/same_bits}"
 mkdir -p "$build/include"
 ln -sfn /usr/include/glm "$build/include/glm"  # for cross-compilers, which do not look there
+launcher="$(command -v ccache || true)"
 failures=0
 
 # target <name> <processor flag> <how to run> <flag>...
@@ -29,7 +30,7 @@ target() {
       mkdir -p "$objects"
       result=same
       for file in main basis scene unwritten; do
-        "$compiler" -std=c++17 "$level" "$@" $flags -ffp-contract=off -DNDEBUG -DZONAL_INLINE= -I"$root/include" \
+        $launcher "$compiler" -std=c++17 "$level" "$@" $flags -ffp-contract=off -DNDEBUG -DZONAL_INLINE= -I"$root/include" \
           -isystem "$build/include" -c "$root/tests/same_bits/$file.cpp" -o "$objects/$file.o" || result="does not compile"
       done
       [ "$result" = same ] && { "$compiler" $static "$objects"/*.o -o "$objects/same_bits" || result="does not link"; }

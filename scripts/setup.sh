@@ -14,7 +14,7 @@ zonal_packages=(
 # For tests and benchmarks; the second line is for shaders: a driver, and compilers.
 zonal_test_packages=(
   catch2 libbenchmark-dev clang libboost-dev
-  libegl1 libgl1-mesa-dri libegl-dev libgl-dev glslang-tools spirv-tools
+  libegl1 libgl1-mesa-dri libegl-dev libgl-dev libvulkan-dev mesa-vulkan-drivers glslang-tools spirv-tools
 )
 
 zonal_say() { printf '[zonal] %s\n' "$*"; }

@@ -18,6 +18,11 @@ for name in rotate_about_z prepare_rotation rotate rotate_colour product product
   for bands in 2 3; do functions="$functions,$name@$bands"; done
 done
 
+functions="$functions,reconstruct_seven_vectors,reconstruct_nine_polynomials_colour,reconstruct_polynomials_colour"
+functions="$functions,linear_axis,hallucinate_zh3,hallucinate_zh3_colour,irradiance_zh3,irradiance_zh3_colour"
+functions="$functions,irradiance_nonlinear,irradiance_nonlinear_colour,irradiance_six_floats"
+functions="$functions,irradiance_six_floats_nonlinear,irradiance_bytes@2,irradiance_bytes@3"
+
 write() { "$program" --functions "${functions#,}" --dialect "$1" -o "$folder/$2"; }
 write glsl450 zonal.glsl
 write glsles300 zonal_es.glsl

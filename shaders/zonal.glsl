@@ -1,5 +1,5 @@
-// zonal 0.2.0, GLSL 4.50. --bands 5 --functions evaluate@2,evaluate@3,evaluate@4,evaluate@5,evaluate_with_gradient@2,evaluate_with_gradient@3,evaluate_with_gradient@4,evaluate_with_gradient@5,reconstruct@2,reconstruct@3,reconstruct@4,reconstruct@5,reconstruct_colour@2,reconstruct_colour@3,reconstruct_colour@4,reconstruct_colour@5,reconstruct_lambert@2,reconstruct_lambert@3,reconstruct_lambert@4,reconstruct_lambert@5,reconstruct_lambert_colour@2,reconstruct_lambert_colour@3,reconstruct_lambert_colour@4,reconstruct_lambert_colour@5,orient@2,orient@3,orient@4,orient@5,orient_colour@2,orient_colour@3,orient_colour@4,orient_colour@5,dot@2,dot@3,dot@4,dot@5,dot_colour@2,dot_colour@3,dot_colour@4,dot_colour@5,dot_colours@2,dot_colours@3,dot_colours@4,dot_colours@5,convolve@2,convolve@3,convolve@4,convolve@5,convolve_colour@2,convolve_colour@3,convolve_colour@4,convolve_colour@5,lambert@2,lambert@3,lambert@4,lambert@5,cap@2,cap@3,cap@4,cap@5,cap_up_to_hemisphere@2,cap_up_to_hemisphere@3,cap_up_to_hemisphere@4,cap_up_to_hemisphere@5,sphere_cap@2,sphere_cap@3,sphere_cap@4,sphere_cap@5,phong@2,phong@3,phong@4,phong@5,spherical_gaussian@2,spherical_gaussian@3,spherical_gaussian@4,spherical_gaussian@5,project_sphere@2,project_sphere@3,project_sphere@4,project_sphere@5,reconstruct_with_adjoint@3,reconstruct_with_adjoint@4,splat_colour@3,splat_colour@4,splat_with_adjoint@3,splat_with_adjoint@4,rotate_about_z@2,rotate_about_z@3,prepare_rotation@2,prepare_rotation@3,rotate@2,rotate@3,rotate_colour@2,rotate_colour@3,product@2,product@3,product_colour@2,product_colour@3,triple_product@2,triple_product@3
-// 100 functions, 7567 operations. Written by zonal-glsl: do not edit.
+// zonal 0.2.0, GLSL 4.50. --bands 5 --functions evaluate@2,evaluate@3,evaluate@4,evaluate@5,evaluate_with_gradient@2,evaluate_with_gradient@3,evaluate_with_gradient@4,evaluate_with_gradient@5,reconstruct@2,reconstruct@3,reconstruct@4,reconstruct@5,reconstruct_colour@2,reconstruct_colour@3,reconstruct_colour@4,reconstruct_colour@5,reconstruct_lambert@2,reconstruct_lambert@3,reconstruct_lambert@4,reconstruct_lambert@5,reconstruct_lambert_colour@2,reconstruct_lambert_colour@3,reconstruct_lambert_colour@4,reconstruct_lambert_colour@5,orient@2,orient@3,orient@4,orient@5,orient_colour@2,orient_colour@3,orient_colour@4,orient_colour@5,dot@2,dot@3,dot@4,dot@5,dot_colour@2,dot_colour@3,dot_colour@4,dot_colour@5,dot_colours@2,dot_colours@3,dot_colours@4,dot_colours@5,convolve@2,convolve@3,convolve@4,convolve@5,convolve_colour@2,convolve_colour@3,convolve_colour@4,convolve_colour@5,lambert@2,lambert@3,lambert@4,lambert@5,cap@2,cap@3,cap@4,cap@5,cap_up_to_hemisphere@2,cap_up_to_hemisphere@3,cap_up_to_hemisphere@4,cap_up_to_hemisphere@5,sphere_cap@2,sphere_cap@3,sphere_cap@4,sphere_cap@5,phong@2,phong@3,phong@4,phong@5,spherical_gaussian@2,spherical_gaussian@3,spherical_gaussian@4,spherical_gaussian@5,project_sphere@2,project_sphere@3,project_sphere@4,project_sphere@5,reconstruct_with_adjoint@3,reconstruct_with_adjoint@4,splat_colour@3,splat_colour@4,splat_with_adjoint@3,splat_with_adjoint@4,rotate_about_z@2,rotate_about_z@3,prepare_rotation@2,prepare_rotation@3,rotate@2,rotate@3,rotate_colour@2,rotate_colour@3,product@2,product@3,product_colour@2,product_colour@3,triple_product@2,triple_product@3,reconstruct_seven_vectors,reconstruct_nine_polynomials_colour,reconstruct_polynomials_colour,linear_axis,hallucinate_zh3,hallucinate_zh3_colour,irradiance_zh3,irradiance_zh3_colour,irradiance_nonlinear,irradiance_nonlinear_colour,irradiance_six_floats,irradiance_six_floats_nonlinear,irradiance_bytes@2,irradiance_bytes@3
+// 114 functions, 8708 operations. Written by zonal-glsl: do not edit.
 
 #ifndef ZONAL_EVALUATE_2
 #define ZONAL_EVALUATE_2
@@ -3585,6 +3585,563 @@ float zonal_triple_product_3(in float a[9], in float b[9], in float c[9]) {
   float t25 = t24 + (a[7] * b[6] + a[6] * b[7]) * 0.090111874f + (a[8] * b[7] + a[7] * b[8] + (a[4] * b[5] + a[5] * b[4])) * 0.15607835f;
   float t26 = t13 + (t15 * c[1] + t17 * c[5]) + (t19 * c[2] + t21 + (t23 * c[3] + t25 * c[7]));
   float value = t26;
+  return value;
+}
+#endif
+
+#ifndef ZONAL_RECONSTRUCT_SEVEN_VECTORS
+#define ZONAL_RECONSTRUCT_SEVEN_VECTORS
+// Irradiance over pi of one channel of Unity's or Unreal's seven vectors, at a normal.
+// 23 operations: 9 additions, 14 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+float zonal_reconstruct_seven_vectors(in float a[4], in float b[4], float c, vec3 normal) {
+  float t0 = b[0] * (normal.x * normal.y) + b[1] * (normal.y * normal.z) + b[2] * (normal.z * normal.z);
+  float t1 = a[0] * normal.x + a[1] * normal.y + a[2] * normal.z + a[3] + (t0 + b[3] * (normal.z * normal.x));
+  float value = t1 + c * (normal.x * normal.x - normal.y * normal.y);
+  return value;
+}
+#endif
+
+#ifndef ZONAL_RECONSTRUCT_NINE_POLYNOMIALS_COLOUR
+#define ZONAL_RECONSTRUCT_NINE_POLYNOMIALS_COLOUR
+// Irradiance over pi of Babylon.js' polynomial, x y z xx yy zz yz zx xy, at a normal. For colours.
+// 57 operations: 24 additions, 33 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+vec3 zonal_reconstruct_nine_polynomials_colour(in vec3 polynomial[9], vec3 normal) {
+  float t0 = polynomial[0].x * normal.x + polynomial[1].x * normal.y + polynomial[2].x * normal.z;
+  float t1 = normal.x * normal.x;
+  float t2 = normal.y * normal.y;
+  float t3 = normal.z * normal.z;
+  float t4 = normal.y * normal.z;
+  float t5 = t0 + polynomial[3].x * t1 + polynomial[4].x * t2 + polynomial[5].x * t3 + polynomial[6].x * t4;
+  float t6 = normal.z * normal.x;
+  float t7 = normal.x * normal.y;
+  float t8 = polynomial[0].y * normal.x + polynomial[1].y * normal.y + polynomial[2].y * normal.z;
+  float t9 = t8 + polynomial[3].y * t1 + polynomial[4].y * t2 + polynomial[5].y * t3 + polynomial[6].y * t4;
+  float t10 = polynomial[0].z * normal.x + polynomial[1].z * normal.y + polynomial[2].z * normal.z;
+  float t11 = t10 + polynomial[3].z * t1 + polynomial[4].z * t2 + polynomial[5].z * t3;
+  float t12 = t11 + polynomial[6].z * t4 + polynomial[7].z * t6 + polynomial[8].z * t7;
+  vec3 value = vec3(t5 + polynomial[7].x * t6 + polynomial[8].x * t7,
+      t9 + polynomial[7].y * t6 + polynomial[8].y * t7,
+      t12);
+  return value;
+}
+#endif
+
+#ifndef ZONAL_RECONSTRUCT_POLYNOMIALS_COLOUR
+#define ZONAL_RECONSTRUCT_POLYNOMIALS_COLOUR
+// The value of plain polynomials, 1 y z x xy yz 3zz-1 xz xx-yy, as Filament's shaders and Unity's nine have it. For colours.
+// 57 operations: 26 additions, 31 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+vec3 zonal_reconstruct_polynomials_colour(in vec3 polynomials[9], vec3 normal) {
+  float t0 = polynomials[0].x + polynomials[1].x * normal.y + polynomials[2].x * normal.z;
+  float t1 = normal.x * normal.y;
+  float t2 = normal.y * normal.z;
+  float t3 = t0 + polynomials[3].x * normal.x + polynomials[4].x * t1 + polynomials[5].x * t2;
+  float t4 = 3.0f * (normal.z * normal.z) - 1.0f;
+  float t5 = normal.x * normal.z;
+  float t6 = normal.x * normal.x - normal.y * normal.y;
+  float t7 = t3 + polynomials[6].x * t4 + polynomials[7].x * t5 + polynomials[8].x * t6;
+  float t8 = polynomials[0].y + polynomials[1].y * normal.y + polynomials[2].y * normal.z;
+  float t9 = t8 + polynomials[3].y * normal.x + polynomials[4].y * t1 + polynomials[5].y * t2;
+  float t10 = t9 + polynomials[6].y * t4 + polynomials[7].y * t5 + polynomials[8].y * t6;
+  float t11 = polynomials[0].z + polynomials[1].z * normal.y + polynomials[2].z * normal.z;
+  float t12 = t11 + polynomials[3].z * normal.x + polynomials[4].z * t1 + polynomials[5].z * t2;
+  float t13 = t12 + polynomials[6].z * t4 + polynomials[7].z * t5 + polynomials[8].z * t6;
+  vec3 value = vec3(t7, t10, t13);
+  return value;
+}
+#endif
+
+#ifndef ZONAL_LINEAR_AXIS
+#define ZONAL_LINEAR_AXIS
+// Where the light of two bands comes from, a unit vector; z where from nowhere.
+// 16 operations: 4 additions, 3 multiplications, 3 divisions, 1 square roots, 5 comparisons and choices.
+vec3 zonal_linear_axis(in float radiance[4]) {
+  float t0 = -radiance[3];
+  float t1 = -radiance[1];
+  float t2 = t0 * t0 + t1 * t1 + radiance[2] * radiance[2];
+  bool is_3 = t2 < 1e-30f;
+  float t4 = sqrt(max(t2, 1e-30f));
+  vec3 axis = vec3(is_3 ? 0.0f : t0 / t4,
+      is_3 ? 0.0f : t1 / t4,
+      is_3 ? 1.0f : radiance[2] / t4);
+  return axis;
+}
+#endif
+
+#ifndef ZONAL_HALLUCINATE_ZH3
+#define ZONAL_HALLUCINATE_ZH3
+// ZH3's quadratic coefficient, guessed from two bands and their axis.
+// 13 operations: 5 additions, 5 multiplications, 1 divisions, 0 square roots, 2 comparisons and choices.
+float zonal_hallucinate_zh3(in float radiance[4], vec3 axis) {
+  float t0 = abs(-radiance[3] * axis.x + -radiance[1] * axis.y + radiance[2] * axis.z);
+  float zonal = t0 * (0.08f + 0.6f * (t0 / max(radiance[0], 1e-30f)));
+  return zonal;
+}
+#endif
+
+#ifndef ZONAL_HALLUCINATE_ZH3_COLOUR
+#define ZONAL_HALLUCINATE_ZH3_COLOUR
+// ZH3's quadratic coefficient, guessed from two bands and their axis. For colours.
+// 39 operations: 15 additions, 15 multiplications, 3 divisions, 0 square roots, 6 comparisons and choices.
+vec3 zonal_hallucinate_zh3_colour(in vec3 radiance[4], vec3 axis) {
+  float t0 = -radiance[3].x * axis.x + -radiance[1].x * axis.y + radiance[2].x * axis.z;
+  float t1 = abs(t0);
+  float t2 = -radiance[3].y * axis.x + -radiance[1].y * axis.y + radiance[2].y * axis.z;
+  float t3 = abs(t2);
+  float t4 = -radiance[3].z * axis.x + -radiance[1].z * axis.y + radiance[2].z * axis.z;
+  float t5 = abs(t4);
+  vec3 zonal = vec3(t1 * (0.08f + 0.6f * (t1 / max(radiance[0].x, 1e-30f))),
+      t3 * (0.08f + 0.6f * (t3 / max(radiance[0].y, 1e-30f))),
+      t5 * (0.08f + 0.6f * (t5 / max(radiance[0].z, 1e-30f))));
+  return zonal;
+}
+#endif
+
+#ifndef ZONAL_IRRADIANCE_ZH3
+#define ZONAL_IRRADIANCE_ZH3
+// Irradiance over pi of ZH3, radiance of two bands and one quadratic about an axis.
+// 23 operations: 7 additions, 16 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+float zonal_irradiance_zh3(in float radiance[4], float zonal, vec3 axis, vec3 normal) {
+  float t0 = radiance[2] * (0.48860252f * normal.z) + radiance[1] * (-0.48860252f * normal.y);
+  float t1 = radiance[0] * 0.2820948f + (t0 + radiance[3] * (-0.48860252f * normal.x)) * 0.6666667f;
+  float t2 = axis.x * normal.x + axis.y * normal.y + axis.z * normal.z;
+  float value = t1 + 0.25f * (zonal * (0.31539157f * (3.0f * t2 * t2 - 1.0f)));
+  return value;
+}
+#endif
+
+#ifndef ZONAL_IRRADIANCE_ZH3_COLOUR
+#define ZONAL_IRRADIANCE_ZH3_COLOUR
+// Irradiance over pi of ZH3, radiance of two bands and one quadratic about an axis. For colours.
+// 45 operations: 15 additions, 30 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+vec3 zonal_irradiance_zh3_colour(in vec3 radiance[4], vec3 zonal, vec3 axis, vec3 normal) {
+  float t0 = 0.48860252f * normal.z;
+  float t1 = -0.48860252f * normal.y;
+  float t2 = -0.48860252f * normal.x;
+  float t3 = (radiance[2].x * t0 + radiance[1].x * t1 + radiance[3].x * t2) * 0.6666667f;
+  float t4 = axis.x * normal.x + axis.y * normal.y + axis.z * normal.z;
+  float t5 = 0.31539157f * (3.0f * t4 * t4 - 1.0f);
+  float t6 = (radiance[2].y * t0 + radiance[1].y * t1 + radiance[3].y * t2) * 0.6666667f;
+  float t7 = (radiance[2].z * t0 + radiance[1].z * t1 + radiance[3].z * t2) * 0.6666667f;
+  vec3 value = vec3(radiance[0].x * 0.2820948f + t3 + 0.25f * (zonal.x * t5),
+      radiance[0].y * 0.2820948f + t6 + 0.25f * (zonal.y * t5),
+      radiance[0].z * 0.2820948f + t7 + 0.25f * (zonal.z * t5));
+  return value;
+}
+#endif
+
+#ifndef ZONAL_IRRADIANCE_NONLINEAR
+#define ZONAL_IRRADIANCE_NONLINEAR
+// Irradiance over pi of radiance of two bands, Geomerics' positive curve.
+// 157 operations: 43 additions, 41 multiplications, 7 divisions, 1 square roots, 65 comparisons and choices.
+float zonal_irradiance_nonlinear(in float radiance[4], vec3 normal) {
+  float t0 = -radiance[3];
+  float t1 = -radiance[1];
+  float t2 = t0 * t0 + t1 * t1 + radiance[2] * radiance[2];
+  bool is_3 = t2 < 1e-30f;
+  float t4 = sqrt(max(t2, 1e-30f));
+  float t5 = min(0.57735026f * (is_3 ? 0.0f : t4) / max(radiance[0], 1e-30f), 1.0f);
+  float t6 = 1.0f + t5;
+  float t7 = (1.0f - t5) / t6;
+  float t8 = t6 + t5;
+  float t9 = (is_3 ? 0.0f : t0 / t4) * normal.x + (is_3 ? 0.0f : t1 / t4) * normal.y + (is_3 ? 1.0f : radiance[2] / t4) * normal.z;
+  float t10 = max(min(max(0.5f + 0.5f * t9, 0.0f), 1.0f), 1.0842022e-19f);
+  bool is_11 = t10 < 2.3283064e-10f;
+  float t12 = is_11 ? t10 * 4294967296.0f : t10;
+  bool is_13 = t12 < 1.5258789e-05f;
+  float t14 = is_13 ? t12 * 65536.0f : t12;
+  bool is_15 = t14 < 0.00390625f;
+  float t16 = is_15 ? t14 * 256.0f : t14;
+  bool is_17 = t16 < 0.0625f;
+  float t18 = is_17 ? t16 * 16.0f : t16;
+  bool is_19 = t18 < 0.25f;
+  float t20 = is_19 ? t18 * 4.0f : t18;
+  bool is_21 = t20 < 0.5f;
+  float t22 = is_21 ? t20 * 2.0f : t20;
+  bool is_23 = t22 < 0.70710677f;
+  float t24 = is_11 ? -32.0f : 0.0f;
+  float t25 = is_13 ? t24 - 16.0f : t24;
+  float t26 = is_15 ? t25 - 8.0f : t25;
+  float t27 = is_17 ? t26 - 4.0f : t26;
+  float t28 = is_19 ? t27 - 2.0f : t27;
+  float t29 = is_21 ? t28 - 1.0f : t28;
+  float t30 = is_23 ? t22 + t22 : t22;
+  float t31 = (t30 - 1.0f) / (t30 + 1.0f);
+  float t32 = t31 * t31;
+  float t33 = (((0.11111111f * t32 + 0.14285715f) * t32 + 0.2f) * t32 + 0.33333334f) * t32;
+  float t34 = t8 * ((is_23 ? t29 - 1.0f : t29) * 0.6931472f + (t31 + t31) * (t33 + 1.0f));
+  float t35 = min(abs(t34), 105.35837f);
+  bool is_36 = 64.0f <= t35;
+  bool is_37 = t34 < 0.0f;
+  float t38 = is_36 ? t35 - 64.0f : t35;
+  bool is_39 = 32.0f <= t38;
+  float t40 = is_39 ? t38 - 32.0f : t38;
+  bool is_41 = 16.0f <= t40;
+  float t42 = is_41 ? t40 - 16.0f : t40;
+  bool is_43 = 8.0f <= t42;
+  float t44 = is_43 ? t42 - 8.0f : t42;
+  bool is_45 = 4.0f <= t44;
+  float t46 = is_45 ? t44 - 4.0f : t44;
+  bool is_47 = 2.0f <= t46;
+  float t48 = is_47 ? t46 - 2.0f : t46;
+  bool is_49 = 1.0f <= t48;
+  float t50 = is_49 ? t48 - 1.0f : t48;
+  bool is_51 = 0.5f <= t50;
+  float t52 = is_51 ? t50 - 0.5f : t50;
+  bool is_53 = 0.25f <= t52;
+  float t54 = is_39 ? 1.2664166e-14f : 1.0f;
+  float t55 = is_41 ? t54 * 1.12535176e-07f : t54;
+  float t56 = is_43 ? t55 * 0.00033546262f : t55;
+  float t57 = is_45 ? t56 * 0.01831564f : t56;
+  float t58 = is_47 ? t57 * 0.13533528f : t57;
+  float t59 = is_49 ? t58 * 0.36787945f : t58;
+  float t60 = is_51 ? t59 * 0.60653067f : t59;
+  float t61 = is_53 ? t52 - 0.25f : t52;
+  float t62 = 0.16666667f - t61 * (0.041666668f - t61 * (0.008333334f - t61 * 0.0013888889f));
+  float t63 = (is_53 ? t60 * 0.7788008f : t60) * (1.0f - t61 * (1.0f - t61 * (0.5f - t61 * t62)));
+  float t64 = is_37 ? t63 : 1.0f / t63;
+  float t65 = (1.0f - t7) * (t8 + 1.0f) * (is_36 ? t64 * (is_37 ? 1.6038109e-28f : 6.235149e+27f) : t64);
+  float value = max(radiance[0], 0.0f) * 0.2820948f * (t7 + t65);
+  return value;
+}
+#endif
+
+#ifndef ZONAL_IRRADIANCE_NONLINEAR_COLOUR
+#define ZONAL_IRRADIANCE_NONLINEAR_COLOUR
+// Irradiance over pi of radiance of two bands, Geomerics' positive curve. For colours.
+// 471 operations: 129 additions, 123 multiplications, 21 divisions, 3 square roots, 195 comparisons and choices.
+vec3 zonal_irradiance_nonlinear_colour(in vec3 radiance[4], vec3 normal) {
+  float t0 = -radiance[3].x;
+  float t1 = -radiance[1].x;
+  float t2 = t0 * t0 + t1 * t1 + radiance[2].x * radiance[2].x;
+  bool is_3 = t2 < 1e-30f;
+  float t4 = sqrt(max(t2, 1e-30f));
+  float t5 = min(0.57735026f * (is_3 ? 0.0f : t4) / max(radiance[0].x, 1e-30f), 1.0f);
+  float t6 = 1.0f + t5;
+  float t7 = (1.0f - t5) / t6;
+  float t8 = t6 + t5;
+  float t9 = (is_3 ? 0.0f : t0 / t4) * normal.x + (is_3 ? 0.0f : t1 / t4) * normal.y + (is_3 ? 1.0f : radiance[2].x / t4) * normal.z;
+  float t10 = max(min(max(0.5f + 0.5f * t9, 0.0f), 1.0f), 1.0842022e-19f);
+  bool is_11 = t10 < 2.3283064e-10f;
+  float t12 = is_11 ? t10 * 4294967296.0f : t10;
+  bool is_13 = t12 < 1.5258789e-05f;
+  float t14 = is_13 ? t12 * 65536.0f : t12;
+  bool is_15 = t14 < 0.00390625f;
+  float t16 = is_15 ? t14 * 256.0f : t14;
+  bool is_17 = t16 < 0.0625f;
+  float t18 = is_17 ? t16 * 16.0f : t16;
+  bool is_19 = t18 < 0.25f;
+  float t20 = is_19 ? t18 * 4.0f : t18;
+  bool is_21 = t20 < 0.5f;
+  float t22 = is_21 ? t20 * 2.0f : t20;
+  bool is_23 = t22 < 0.70710677f;
+  float t24 = is_11 ? -32.0f : 0.0f;
+  float t25 = is_13 ? t24 - 16.0f : t24;
+  float t26 = is_15 ? t25 - 8.0f : t25;
+  float t27 = is_17 ? t26 - 4.0f : t26;
+  float t28 = is_19 ? t27 - 2.0f : t27;
+  float t29 = is_21 ? t28 - 1.0f : t28;
+  float t30 = is_23 ? t22 + t22 : t22;
+  float t31 = (t30 - 1.0f) / (t30 + 1.0f);
+  float t32 = t31 * t31;
+  float t33 = (((0.11111111f * t32 + 0.14285715f) * t32 + 0.2f) * t32 + 0.33333334f) * t32;
+  float t34 = t8 * ((is_23 ? t29 - 1.0f : t29) * 0.6931472f + (t31 + t31) * (t33 + 1.0f));
+  float t35 = min(abs(t34), 105.35837f);
+  bool is_36 = 64.0f <= t35;
+  bool is_37 = t34 < 0.0f;
+  float t38 = is_36 ? t35 - 64.0f : t35;
+  bool is_39 = 32.0f <= t38;
+  float t40 = is_39 ? t38 - 32.0f : t38;
+  bool is_41 = 16.0f <= t40;
+  float t42 = is_41 ? t40 - 16.0f : t40;
+  bool is_43 = 8.0f <= t42;
+  float t44 = is_43 ? t42 - 8.0f : t42;
+  bool is_45 = 4.0f <= t44;
+  float t46 = is_45 ? t44 - 4.0f : t44;
+  bool is_47 = 2.0f <= t46;
+  float t48 = is_47 ? t46 - 2.0f : t46;
+  bool is_49 = 1.0f <= t48;
+  float t50 = is_49 ? t48 - 1.0f : t48;
+  bool is_51 = 0.5f <= t50;
+  float t52 = is_51 ? t50 - 0.5f : t50;
+  bool is_53 = 0.25f <= t52;
+  float t54 = is_39 ? 1.2664166e-14f : 1.0f;
+  float t55 = is_41 ? t54 * 1.12535176e-07f : t54;
+  float t56 = is_43 ? t55 * 0.00033546262f : t55;
+  float t57 = is_45 ? t56 * 0.01831564f : t56;
+  float t58 = is_47 ? t57 * 0.13533528f : t57;
+  float t59 = is_49 ? t58 * 0.36787945f : t58;
+  float t60 = is_51 ? t59 * 0.60653067f : t59;
+  float t61 = is_53 ? t52 - 0.25f : t52;
+  float t62 = 0.16666667f - t61 * (0.041666668f - t61 * (0.008333334f - t61 * 0.0013888889f));
+  float t63 = (is_53 ? t60 * 0.7788008f : t60) * (1.0f - t61 * (1.0f - t61 * (0.5f - t61 * t62)));
+  float t64 = is_37 ? t63 : 1.0f / t63;
+  float t65 = (1.0f - t7) * (t8 + 1.0f) * (is_36 ? t64 * (is_37 ? 1.6038109e-28f : 6.235149e+27f) : t64);
+  float t66 = -radiance[3].y;
+  float t67 = -radiance[1].y;
+  float t68 = t66 * t66 + t67 * t67 + radiance[2].y * radiance[2].y;
+  bool is_69 = t68 < 1e-30f;
+  float t70 = sqrt(max(t68, 1e-30f));
+  float t71 = min(0.57735026f * (is_69 ? 0.0f : t70) / max(radiance[0].y, 1e-30f), 1.0f);
+  float t72 = 1.0f + t71;
+  float t73 = (1.0f - t71) / t72;
+  float t74 = t72 + t71;
+  float t75 = (is_69 ? 0.0f : t66 / t70) * normal.x + (is_69 ? 0.0f : t67 / t70) * normal.y;
+  float t76 = max(0.5f + 0.5f * (t75 + (is_69 ? 1.0f : radiance[2].y / t70) * normal.z), 0.0f);
+  float t77 = max(min(t76, 1.0f), 1.0842022e-19f);
+  bool is_78 = t77 < 2.3283064e-10f;
+  float t79 = is_78 ? t77 * 4294967296.0f : t77;
+  bool is_80 = t79 < 1.5258789e-05f;
+  float t81 = is_80 ? t79 * 65536.0f : t79;
+  bool is_82 = t81 < 0.00390625f;
+  float t83 = is_82 ? t81 * 256.0f : t81;
+  bool is_84 = t83 < 0.0625f;
+  float t85 = is_84 ? t83 * 16.0f : t83;
+  bool is_86 = t85 < 0.25f;
+  float t87 = is_86 ? t85 * 4.0f : t85;
+  bool is_88 = t87 < 0.5f;
+  float t89 = is_88 ? t87 * 2.0f : t87;
+  bool is_90 = t89 < 0.70710677f;
+  float t91 = is_78 ? -32.0f : 0.0f;
+  float t92 = is_80 ? t91 - 16.0f : t91;
+  float t93 = is_82 ? t92 - 8.0f : t92;
+  float t94 = is_84 ? t93 - 4.0f : t93;
+  float t95 = is_86 ? t94 - 2.0f : t94;
+  float t96 = is_88 ? t95 - 1.0f : t95;
+  float t97 = is_90 ? t89 + t89 : t89;
+  float t98 = (t97 - 1.0f) / (t97 + 1.0f);
+  float t99 = t98 * t98;
+  float t100 = (((0.11111111f * t99 + 0.14285715f) * t99 + 0.2f) * t99 + 0.33333334f) * t99;
+  float t101 = t74 * ((is_90 ? t96 - 1.0f : t96) * 0.6931472f + (t98 + t98) * (t100 + 1.0f));
+  float t102 = min(abs(t101), 105.35837f);
+  bool is_103 = 64.0f <= t102;
+  bool is_104 = t101 < 0.0f;
+  float t105 = is_103 ? t102 - 64.0f : t102;
+  bool is_106 = 32.0f <= t105;
+  float t107 = is_106 ? t105 - 32.0f : t105;
+  bool is_108 = 16.0f <= t107;
+  float t109 = is_108 ? t107 - 16.0f : t107;
+  bool is_110 = 8.0f <= t109;
+  float t111 = is_110 ? t109 - 8.0f : t109;
+  bool is_112 = 4.0f <= t111;
+  float t113 = is_112 ? t111 - 4.0f : t111;
+  bool is_114 = 2.0f <= t113;
+  float t115 = is_114 ? t113 - 2.0f : t113;
+  bool is_116 = 1.0f <= t115;
+  float t117 = is_116 ? t115 - 1.0f : t115;
+  bool is_118 = 0.5f <= t117;
+  float t119 = is_118 ? t117 - 0.5f : t117;
+  bool is_120 = 0.25f <= t119;
+  float t121 = is_106 ? 1.2664166e-14f : 1.0f;
+  float t122 = is_108 ? t121 * 1.12535176e-07f : t121;
+  float t123 = is_110 ? t122 * 0.00033546262f : t122;
+  float t124 = is_112 ? t123 * 0.01831564f : t123;
+  float t125 = is_114 ? t124 * 0.13533528f : t124;
+  float t126 = is_116 ? t125 * 0.36787945f : t125;
+  float t127 = is_118 ? t126 * 0.60653067f : t126;
+  float t128 = is_120 ? t119 - 0.25f : t119;
+  float t129 = 0.16666667f - t128 * (0.041666668f - t128 * (0.008333334f - t128 * 0.0013888889f));
+  float t130 = (is_120 ? t127 * 0.7788008f : t127) * (1.0f - t128 * (1.0f - t128 * (0.5f - t128 * t129)));
+  float t131 = is_104 ? t130 : 1.0f / t130;
+  float t132 = (1.0f - t73) * (t74 + 1.0f) * (is_103 ? t131 * (is_104 ? 1.6038109e-28f : 6.235149e+27f) : t131);
+  float t133 = -radiance[3].z;
+  float t134 = -radiance[1].z;
+  float t135 = t133 * t133 + t134 * t134 + radiance[2].z * radiance[2].z;
+  bool is_136 = t135 < 1e-30f;
+  float t137 = sqrt(max(t135, 1e-30f));
+  float t138 = min(0.57735026f * (is_136 ? 0.0f : t137) / max(radiance[0].z, 1e-30f), 1.0f);
+  float t139 = 1.0f + t138;
+  float t140 = (1.0f - t138) / t139;
+  float t141 = t139 + t138;
+  float t142 = (is_136 ? 0.0f : t133 / t137) * normal.x + (is_136 ? 0.0f : t134 / t137) * normal.y;
+  float t143 = 0.5f + 0.5f * (t142 + (is_136 ? 1.0f : radiance[2].z / t137) * normal.z);
+  float t144 = max(min(max(t143, 0.0f), 1.0f), 1.0842022e-19f);
+  bool is_145 = t144 < 2.3283064e-10f;
+  float t146 = is_145 ? t144 * 4294967296.0f : t144;
+  bool is_147 = t146 < 1.5258789e-05f;
+  float t148 = is_147 ? t146 * 65536.0f : t146;
+  bool is_149 = t148 < 0.00390625f;
+  float t150 = is_149 ? t148 * 256.0f : t148;
+  bool is_151 = t150 < 0.0625f;
+  float t152 = is_151 ? t150 * 16.0f : t150;
+  bool is_153 = t152 < 0.25f;
+  float t154 = is_153 ? t152 * 4.0f : t152;
+  bool is_155 = t154 < 0.5f;
+  float t156 = is_155 ? t154 * 2.0f : t154;
+  bool is_157 = t156 < 0.70710677f;
+  float t158 = is_145 ? -32.0f : 0.0f;
+  float t159 = is_147 ? t158 - 16.0f : t158;
+  float t160 = is_149 ? t159 - 8.0f : t159;
+  float t161 = is_151 ? t160 - 4.0f : t160;
+  float t162 = is_153 ? t161 - 2.0f : t161;
+  float t163 = is_155 ? t162 - 1.0f : t162;
+  float t164 = is_157 ? t156 + t156 : t156;
+  float t165 = (t164 - 1.0f) / (t164 + 1.0f);
+  float t166 = t165 * t165;
+  float t167 = (((0.11111111f * t166 + 0.14285715f) * t166 + 0.2f) * t166 + 0.33333334f) * t166;
+  float t168 = (is_157 ? t163 - 1.0f : t163) * 0.6931472f + (t165 + t165) * (t167 + 1.0f);
+  float t169 = t141 * t168;
+  float t170 = min(abs(t169), 105.35837f);
+  bool is_171 = 64.0f <= t170;
+  bool is_172 = t169 < 0.0f;
+  float t173 = is_171 ? t170 - 64.0f : t170;
+  bool is_174 = 32.0f <= t173;
+  float t175 = is_174 ? t173 - 32.0f : t173;
+  bool is_176 = 16.0f <= t175;
+  float t177 = is_176 ? t175 - 16.0f : t175;
+  bool is_178 = 8.0f <= t177;
+  float t179 = is_178 ? t177 - 8.0f : t177;
+  bool is_180 = 4.0f <= t179;
+  float t181 = is_180 ? t179 - 4.0f : t179;
+  bool is_182 = 2.0f <= t181;
+  float t183 = is_182 ? t181 - 2.0f : t181;
+  bool is_184 = 1.0f <= t183;
+  float t185 = is_184 ? t183 - 1.0f : t183;
+  bool is_186 = 0.5f <= t185;
+  float t187 = is_186 ? t185 - 0.5f : t185;
+  bool is_188 = 0.25f <= t187;
+  float t189 = is_174 ? 1.2664166e-14f : 1.0f;
+  float t190 = is_176 ? t189 * 1.12535176e-07f : t189;
+  float t191 = is_178 ? t190 * 0.00033546262f : t190;
+  float t192 = is_180 ? t191 * 0.01831564f : t191;
+  float t193 = is_182 ? t192 * 0.13533528f : t192;
+  float t194 = is_184 ? t193 * 0.36787945f : t193;
+  float t195 = is_186 ? t194 * 0.60653067f : t194;
+  float t196 = is_188 ? t187 - 0.25f : t187;
+  float t197 = 0.16666667f - t196 * (0.041666668f - t196 * (0.008333334f - t196 * 0.0013888889f));
+  float t198 = (is_188 ? t195 * 0.7788008f : t195) * (1.0f - t196 * (1.0f - t196 * (0.5f - t196 * t197)));
+  float t199 = is_172 ? t198 : 1.0f / t198;
+  float t200 = (1.0f - t140) * (t141 + 1.0f) * (is_171 ? t199 * (is_172 ? 1.6038109e-28f : 6.235149e+27f) : t199);
+  vec3 value = vec3(max(radiance[0].x, 0.0f) * 0.2820948f * (t7 + t65),
+      max(radiance[0].y, 0.0f) * 0.2820948f * (t73 + t132),
+      max(radiance[0].z, 0.0f) * 0.2820948f * (t140 + t200));
+  return value;
+}
+#endif
+
+#ifndef ZONAL_IRRADIANCE_SIX_FLOATS
+#define ZONAL_IRRADIANCE_SIX_FLOATS
+// Irradiance over pi, RGB, of luminance on two bands with Co and Cg.
+// 24 operations: 7 additions, 11 multiplications, 1 divisions, 0 square roots, 5 comparisons and choices.
+vec3 zonal_irradiance_six_floats(in float luminance[4], float co, float cg, vec3 normal) {
+  float t0 = luminance[2] * (0.48860252f * normal.z) + luminance[1] * (-0.48860252f * normal.y);
+  float t1 = luminance[0] * 0.2820948f + (t0 + luminance[3] * (-0.48860252f * normal.x)) * 0.6666667f;
+  float t2 = max(t1, 0.0f);
+  float t3 = 0.5f * (t2 / max(luminance[0], 1e-30f));
+  float t4 = t3 * cg;
+  float t5 = t2 - t4;
+  float t6 = t3 * co;
+  vec3 colour = vec3(max(t5 + t6, 0.0f), max(t2 + t4, 0.0f), max(t5 - t6, 0.0f));
+  return colour;
+}
+#endif
+
+#ifndef ZONAL_IRRADIANCE_SIX_FLOATS_NONLINEAR
+#define ZONAL_IRRADIANCE_SIX_FLOATS_NONLINEAR
+// The same by Geomerics' positive curve.
+// 168 operations: 47 additions, 44 multiplications, 8 divisions, 1 square roots, 68 comparisons and choices.
+vec3 zonal_irradiance_six_floats_nonlinear(in float luminance[4], float co, float cg, vec3 normal) {
+  float t0 = -luminance[3];
+  float t1 = -luminance[1];
+  float t2 = t0 * t0 + t1 * t1 + luminance[2] * luminance[2];
+  bool is_3 = t2 < 1e-30f;
+  float t4 = sqrt(max(t2, 1e-30f));
+  float t5 = max(luminance[0], 1e-30f);
+  float t6 = min(0.57735026f * (is_3 ? 0.0f : t4) / t5, 1.0f);
+  float t7 = 1.0f + t6;
+  float t8 = (1.0f - t6) / t7;
+  float t9 = t7 + t6;
+  float t10 = (is_3 ? 0.0f : t0 / t4) * normal.x + (is_3 ? 0.0f : t1 / t4) * normal.y + (is_3 ? 1.0f : luminance[2] / t4) * normal.z;
+  float t11 = max(min(max(0.5f + 0.5f * t10, 0.0f), 1.0f), 1.0842022e-19f);
+  bool is_12 = t11 < 2.3283064e-10f;
+  float t13 = is_12 ? t11 * 4294967296.0f : t11;
+  bool is_14 = t13 < 1.5258789e-05f;
+  float t15 = is_14 ? t13 * 65536.0f : t13;
+  bool is_16 = t15 < 0.00390625f;
+  float t17 = is_16 ? t15 * 256.0f : t15;
+  bool is_18 = t17 < 0.0625f;
+  float t19 = is_18 ? t17 * 16.0f : t17;
+  bool is_20 = t19 < 0.25f;
+  float t21 = is_20 ? t19 * 4.0f : t19;
+  bool is_22 = t21 < 0.5f;
+  float t23 = is_22 ? t21 * 2.0f : t21;
+  bool is_24 = t23 < 0.70710677f;
+  float t25 = is_12 ? -32.0f : 0.0f;
+  float t26 = is_14 ? t25 - 16.0f : t25;
+  float t27 = is_16 ? t26 - 8.0f : t26;
+  float t28 = is_18 ? t27 - 4.0f : t27;
+  float t29 = is_20 ? t28 - 2.0f : t28;
+  float t30 = is_22 ? t29 - 1.0f : t29;
+  float t31 = is_24 ? t23 + t23 : t23;
+  float t32 = (t31 - 1.0f) / (t31 + 1.0f);
+  float t33 = t32 * t32;
+  float t34 = (((0.11111111f * t33 + 0.14285715f) * t33 + 0.2f) * t33 + 0.33333334f) * t33;
+  float t35 = t9 * ((is_24 ? t30 - 1.0f : t30) * 0.6931472f + (t32 + t32) * (t34 + 1.0f));
+  float t36 = min(abs(t35), 105.35837f);
+  bool is_37 = 64.0f <= t36;
+  bool is_38 = t35 < 0.0f;
+  float t39 = is_37 ? t36 - 64.0f : t36;
+  bool is_40 = 32.0f <= t39;
+  float t41 = is_40 ? t39 - 32.0f : t39;
+  bool is_42 = 16.0f <= t41;
+  float t43 = is_42 ? t41 - 16.0f : t41;
+  bool is_44 = 8.0f <= t43;
+  float t45 = is_44 ? t43 - 8.0f : t43;
+  bool is_46 = 4.0f <= t45;
+  float t47 = is_46 ? t45 - 4.0f : t45;
+  bool is_48 = 2.0f <= t47;
+  float t49 = is_48 ? t47 - 2.0f : t47;
+  bool is_50 = 1.0f <= t49;
+  float t51 = is_50 ? t49 - 1.0f : t49;
+  bool is_52 = 0.5f <= t51;
+  float t53 = is_52 ? t51 - 0.5f : t51;
+  bool is_54 = 0.25f <= t53;
+  float t55 = is_40 ? 1.2664166e-14f : 1.0f;
+  float t56 = is_42 ? t55 * 1.12535176e-07f : t55;
+  float t57 = is_44 ? t56 * 0.00033546262f : t56;
+  float t58 = is_46 ? t57 * 0.01831564f : t57;
+  float t59 = is_48 ? t58 * 0.13533528f : t58;
+  float t60 = is_50 ? t59 * 0.36787945f : t59;
+  float t61 = is_52 ? t60 * 0.60653067f : t60;
+  float t62 = is_54 ? t53 - 0.25f : t53;
+  float t63 = 0.16666667f - t62 * (0.041666668f - t62 * (0.008333334f - t62 * 0.0013888889f));
+  float t64 = (is_54 ? t61 * 0.7788008f : t61) * (1.0f - t62 * (1.0f - t62 * (0.5f - t62 * t63)));
+  float t65 = is_38 ? t64 : 1.0f / t64;
+  float t66 = (1.0f - t8) * (t9 + 1.0f) * (is_37 ? t65 * (is_38 ? 1.6038109e-28f : 6.235149e+27f) : t65);
+  float t67 = max(luminance[0], 0.0f) * 0.2820948f * (t8 + t66);
+  float t68 = 0.5f * (t67 / t5);
+  float t69 = t68 * cg;
+  float t70 = t67 - t69;
+  float t71 = t68 * co;
+  vec3 colour = vec3(max(t70 + t71, 0.0f), max(t67 + t69, 0.0f), max(t70 - t71, 0.0f));
+  return colour;
+}
+#endif
+
+#ifndef ZONAL_IRRADIANCE_BYTES_2
+#define ZONAL_IRRADIANCE_BYTES_2
+// Irradiance over pi of radiance that stands as whole numbers -127 to 127 times one scale.
+// 12 operations: 3 additions, 9 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+float zonal_irradiance_bytes_2(float scale, in float stored[4], vec3 normal) {
+  float t0 = stored[2] * (0.48860252f * normal.z) + stored[1] * (-0.48860252f * normal.y);
+  float t1 = stored[0] * 0.2820948f + 0.6666667f * (t0 + stored[3] * (-0.48860252f * normal.x));
+  float value = scale * t1;
+  return value;
+}
+#endif
+
+#ifndef ZONAL_IRRADIANCE_BYTES_3
+#define ZONAL_IRRADIANCE_BYTES_3
+// Irradiance over pi of radiance that stands as whole numbers -127 to 127 times one scale.
+// 36 operations: 11 additions, 25 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+float zonal_irradiance_bytes_3(float scale, in float stored[9], vec3 normal) {
+  float t0 = stored[2] * (0.48860252f * normal.z) + stored[1] * (-0.48860252f * normal.y);
+  float t1 = stored[0] * 0.2820948f + 0.6666667f * (t0 + stored[3] * (-0.48860252f * normal.x));
+  float t2 = -1.0925485f * normal.z;
+  float t3 = stored[6] * (0.9461747f * (normal.z * normal.z) + -0.31539157f) + stored[5] * (t2 * normal.y);
+  float t4 = normal.y * normal.x;
+  float t5 = t3 + stored[7] * (t2 * normal.x) + stored[4] * (0.54627424f * (t4 + t4));
+  float t6 = t5 + stored[8] * (0.54627424f * (normal.x * normal.x - normal.y * normal.y));
+  float value = scale * (t1 + 0.25f * t6);
   return value;
 }
 #endif

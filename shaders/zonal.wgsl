@@ -1,5 +1,5 @@
-// zonal 0.2.0, WGSL. --bands 5 --functions evaluate@2,evaluate@3,evaluate@4,evaluate@5,evaluate_with_gradient@2,evaluate_with_gradient@3,evaluate_with_gradient@4,evaluate_with_gradient@5,reconstruct@2,reconstruct@3,reconstruct@4,reconstruct@5,reconstruct_colour@2,reconstruct_colour@3,reconstruct_colour@4,reconstruct_colour@5,reconstruct_lambert@2,reconstruct_lambert@3,reconstruct_lambert@4,reconstruct_lambert@5,reconstruct_lambert_colour@2,reconstruct_lambert_colour@3,reconstruct_lambert_colour@4,reconstruct_lambert_colour@5,orient@2,orient@3,orient@4,orient@5,orient_colour@2,orient_colour@3,orient_colour@4,orient_colour@5,dot@2,dot@3,dot@4,dot@5,dot_colour@2,dot_colour@3,dot_colour@4,dot_colour@5,dot_colours@2,dot_colours@3,dot_colours@4,dot_colours@5,convolve@2,convolve@3,convolve@4,convolve@5,convolve_colour@2,convolve_colour@3,convolve_colour@4,convolve_colour@5,lambert@2,lambert@3,lambert@4,lambert@5,cap@2,cap@3,cap@4,cap@5,cap_up_to_hemisphere@2,cap_up_to_hemisphere@3,cap_up_to_hemisphere@4,cap_up_to_hemisphere@5,sphere_cap@2,sphere_cap@3,sphere_cap@4,sphere_cap@5,phong@2,phong@3,phong@4,phong@5,spherical_gaussian@2,spherical_gaussian@3,spherical_gaussian@4,spherical_gaussian@5,project_sphere@2,project_sphere@3,project_sphere@4,project_sphere@5,reconstruct_with_adjoint@3,reconstruct_with_adjoint@4,splat_colour@3,splat_colour@4,splat_with_adjoint@3,splat_with_adjoint@4,rotate_about_z@2,rotate_about_z@3,prepare_rotation@2,prepare_rotation@3,rotate@2,rotate@3,rotate_colour@2,rotate_colour@3,product@2,product@3,product_colour@2,product_colour@3,triple_product@2,triple_product@3
-// 100 functions, 7567 operations. Written by zonal-glsl: do not edit.
+// zonal 0.2.0, WGSL. --bands 5 --functions evaluate@2,evaluate@3,evaluate@4,evaluate@5,evaluate_with_gradient@2,evaluate_with_gradient@3,evaluate_with_gradient@4,evaluate_with_gradient@5,reconstruct@2,reconstruct@3,reconstruct@4,reconstruct@5,reconstruct_colour@2,reconstruct_colour@3,reconstruct_colour@4,reconstruct_colour@5,reconstruct_lambert@2,reconstruct_lambert@3,reconstruct_lambert@4,reconstruct_lambert@5,reconstruct_lambert_colour@2,reconstruct_lambert_colour@3,reconstruct_lambert_colour@4,reconstruct_lambert_colour@5,orient@2,orient@3,orient@4,orient@5,orient_colour@2,orient_colour@3,orient_colour@4,orient_colour@5,dot@2,dot@3,dot@4,dot@5,dot_colour@2,dot_colour@3,dot_colour@4,dot_colour@5,dot_colours@2,dot_colours@3,dot_colours@4,dot_colours@5,convolve@2,convolve@3,convolve@4,convolve@5,convolve_colour@2,convolve_colour@3,convolve_colour@4,convolve_colour@5,lambert@2,lambert@3,lambert@4,lambert@5,cap@2,cap@3,cap@4,cap@5,cap_up_to_hemisphere@2,cap_up_to_hemisphere@3,cap_up_to_hemisphere@4,cap_up_to_hemisphere@5,sphere_cap@2,sphere_cap@3,sphere_cap@4,sphere_cap@5,phong@2,phong@3,phong@4,phong@5,spherical_gaussian@2,spherical_gaussian@3,spherical_gaussian@4,spherical_gaussian@5,project_sphere@2,project_sphere@3,project_sphere@4,project_sphere@5,reconstruct_with_adjoint@3,reconstruct_with_adjoint@4,splat_colour@3,splat_colour@4,splat_with_adjoint@3,splat_with_adjoint@4,rotate_about_z@2,rotate_about_z@3,prepare_rotation@2,prepare_rotation@3,rotate@2,rotate@3,rotate_colour@2,rotate_colour@3,product@2,product@3,product_colour@2,product_colour@3,triple_product@2,triple_product@3,reconstruct_seven_vectors,reconstruct_nine_polynomials_colour,reconstruct_polynomials_colour,linear_axis,hallucinate_zh3,hallucinate_zh3_colour,irradiance_zh3,irradiance_zh3_colour,irradiance_nonlinear,irradiance_nonlinear_colour,irradiance_six_floats,irradiance_six_floats_nonlinear,irradiance_bytes@2,irradiance_bytes@3
+// 114 functions, 8708 operations. Written by zonal-glsl: do not edit.
 
 // Y_l^m at a unit vector, at l (l + 1) + m.
 // 3 operations: 0 additions, 3 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
@@ -3299,5 +3299,527 @@ fn zonal_triple_product_3(a: array<f32, 9>, b: array<f32, 9>, c: array<f32, 9>) 
   let t25 = t24 + (a[7] * b[6] + a[6] * b[7]) * 0.090111874f + (a[8] * b[7] + a[7] * b[8] + (a[4] * b[5] + a[5] * b[4])) * 0.15607835f;
   let t26 = t13 + (t15 * c[1] + t17 * c[5]) + (t19 * c[2] + t21 + (t23 * c[3] + t25 * c[7]));
   let value = t26;
+  return value;
+}
+
+// Irradiance over pi of one channel of Unity's or Unreal's seven vectors, at a normal.
+// 23 operations: 9 additions, 14 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+fn zonal_reconstruct_seven_vectors(a: array<f32, 4>, b: array<f32, 4>, c: f32, normal: vec3<f32>) -> f32 {
+  let t0 = b[0] * (normal.x * normal.y) + b[1] * (normal.y * normal.z) + b[2] * (normal.z * normal.z);
+  let t1 = a[0] * normal.x + a[1] * normal.y + a[2] * normal.z + a[3] + (t0 + b[3] * (normal.z * normal.x));
+  let value = t1 + c * (normal.x * normal.x - normal.y * normal.y);
+  return value;
+}
+
+// Irradiance over pi of Babylon.js' polynomial, x y z xx yy zz yz zx xy, at a normal. For colours.
+// 57 operations: 24 additions, 33 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+fn zonal_reconstruct_nine_polynomials_colour(polynomial: array<vec3<f32>, 9>, normal: vec3<f32>) -> vec3<f32> {
+  let t0 = polynomial[0].x * normal.x + polynomial[1].x * normal.y + polynomial[2].x * normal.z;
+  let t1 = normal.x * normal.x;
+  let t2 = normal.y * normal.y;
+  let t3 = normal.z * normal.z;
+  let t4 = normal.y * normal.z;
+  let t5 = t0 + polynomial[3].x * t1 + polynomial[4].x * t2 + polynomial[5].x * t3 + polynomial[6].x * t4;
+  let t6 = normal.z * normal.x;
+  let t7 = normal.x * normal.y;
+  let t8 = polynomial[0].y * normal.x + polynomial[1].y * normal.y + polynomial[2].y * normal.z;
+  let t9 = t8 + polynomial[3].y * t1 + polynomial[4].y * t2 + polynomial[5].y * t3 + polynomial[6].y * t4;
+  let t10 = polynomial[0].z * normal.x + polynomial[1].z * normal.y + polynomial[2].z * normal.z;
+  let t11 = t10 + polynomial[3].z * t1 + polynomial[4].z * t2 + polynomial[5].z * t3;
+  let t12 = t11 + polynomial[6].z * t4 + polynomial[7].z * t6 + polynomial[8].z * t7;
+  let value = vec3<f32>(t5 + polynomial[7].x * t6 + polynomial[8].x * t7,
+      t9 + polynomial[7].y * t6 + polynomial[8].y * t7,
+      t12);
+  return value;
+}
+
+// The value of plain polynomials, 1 y z x xy yz 3zz-1 xz xx-yy, as Filament's shaders and Unity's nine have it. For colours.
+// 57 operations: 26 additions, 31 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+fn zonal_reconstruct_polynomials_colour(polynomials: array<vec3<f32>, 9>, normal: vec3<f32>) -> vec3<f32> {
+  let t0 = polynomials[0].x + polynomials[1].x * normal.y + polynomials[2].x * normal.z;
+  let t1 = normal.x * normal.y;
+  let t2 = normal.y * normal.z;
+  let t3 = t0 + polynomials[3].x * normal.x + polynomials[4].x * t1 + polynomials[5].x * t2;
+  let t4 = 3.0f * (normal.z * normal.z) - 1.0f;
+  let t5 = normal.x * normal.z;
+  let t6 = normal.x * normal.x - normal.y * normal.y;
+  let t7 = t3 + polynomials[6].x * t4 + polynomials[7].x * t5 + polynomials[8].x * t6;
+  let t8 = polynomials[0].y + polynomials[1].y * normal.y + polynomials[2].y * normal.z;
+  let t9 = t8 + polynomials[3].y * normal.x + polynomials[4].y * t1 + polynomials[5].y * t2;
+  let t10 = t9 + polynomials[6].y * t4 + polynomials[7].y * t5 + polynomials[8].y * t6;
+  let t11 = polynomials[0].z + polynomials[1].z * normal.y + polynomials[2].z * normal.z;
+  let t12 = t11 + polynomials[3].z * normal.x + polynomials[4].z * t1 + polynomials[5].z * t2;
+  let t13 = t12 + polynomials[6].z * t4 + polynomials[7].z * t5 + polynomials[8].z * t6;
+  let value = vec3<f32>(t7, t10, t13);
+  return value;
+}
+
+// Where the light of two bands comes from, a unit vector; z where from nowhere.
+// 16 operations: 4 additions, 3 multiplications, 3 divisions, 1 square roots, 5 comparisons and choices.
+fn zonal_linear_axis(radiance: array<f32, 4>) -> vec3<f32> {
+  let t0 = -radiance[3];
+  let t1 = -radiance[1];
+  let t2 = t0 * t0 + t1 * t1 + radiance[2] * radiance[2];
+  let is_3 = t2 < 1e-30f;
+  let t4 = sqrt(max(t2, 1e-30f));
+  let axis = vec3<f32>(select(t0 / t4, 0.0f, is_3),
+      select(t1 / t4, 0.0f, is_3),
+      select(radiance[2] / t4, 1.0f, is_3));
+  return axis;
+}
+
+// ZH3's quadratic coefficient, guessed from two bands and their axis.
+// 13 operations: 5 additions, 5 multiplications, 1 divisions, 0 square roots, 2 comparisons and choices.
+fn zonal_hallucinate_zh3(radiance: array<f32, 4>, axis: vec3<f32>) -> f32 {
+  let t0 = abs(-radiance[3] * axis.x + -radiance[1] * axis.y + radiance[2] * axis.z);
+  let zonal = t0 * (0.08f + 0.6f * (t0 / max(radiance[0], 1e-30f)));
+  return zonal;
+}
+
+// ZH3's quadratic coefficient, guessed from two bands and their axis. For colours.
+// 39 operations: 15 additions, 15 multiplications, 3 divisions, 0 square roots, 6 comparisons and choices.
+fn zonal_hallucinate_zh3_colour(radiance: array<vec3<f32>, 4>, axis: vec3<f32>) -> vec3<f32> {
+  let t0 = -radiance[3].x * axis.x + -radiance[1].x * axis.y + radiance[2].x * axis.z;
+  let t1 = abs(t0);
+  let t2 = -radiance[3].y * axis.x + -radiance[1].y * axis.y + radiance[2].y * axis.z;
+  let t3 = abs(t2);
+  let t4 = -radiance[3].z * axis.x + -radiance[1].z * axis.y + radiance[2].z * axis.z;
+  let t5 = abs(t4);
+  let zonal = vec3<f32>(t1 * (0.08f + 0.6f * (t1 / max(radiance[0].x, 1e-30f))),
+      t3 * (0.08f + 0.6f * (t3 / max(radiance[0].y, 1e-30f))),
+      t5 * (0.08f + 0.6f * (t5 / max(radiance[0].z, 1e-30f))));
+  return zonal;
+}
+
+// Irradiance over pi of ZH3, radiance of two bands and one quadratic about an axis.
+// 23 operations: 7 additions, 16 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+fn zonal_irradiance_zh3(radiance: array<f32, 4>, zonal: f32, axis: vec3<f32>, normal: vec3<f32>) -> f32 {
+  let t0 = radiance[2] * (0.48860252f * normal.z) + radiance[1] * (-0.48860252f * normal.y);
+  let t1 = radiance[0] * 0.2820948f + (t0 + radiance[3] * (-0.48860252f * normal.x)) * 0.6666667f;
+  let t2 = axis.x * normal.x + axis.y * normal.y + axis.z * normal.z;
+  let value = t1 + 0.25f * (zonal * (0.31539157f * (3.0f * t2 * t2 - 1.0f)));
+  return value;
+}
+
+// Irradiance over pi of ZH3, radiance of two bands and one quadratic about an axis. For colours.
+// 45 operations: 15 additions, 30 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+fn zonal_irradiance_zh3_colour(radiance: array<vec3<f32>, 4>, zonal: vec3<f32>, axis: vec3<f32>, normal: vec3<f32>) -> vec3<f32> {
+  let t0 = 0.48860252f * normal.z;
+  let t1 = -0.48860252f * normal.y;
+  let t2 = -0.48860252f * normal.x;
+  let t3 = (radiance[2].x * t0 + radiance[1].x * t1 + radiance[3].x * t2) * 0.6666667f;
+  let t4 = axis.x * normal.x + axis.y * normal.y + axis.z * normal.z;
+  let t5 = 0.31539157f * (3.0f * t4 * t4 - 1.0f);
+  let t6 = (radiance[2].y * t0 + radiance[1].y * t1 + radiance[3].y * t2) * 0.6666667f;
+  let t7 = (radiance[2].z * t0 + radiance[1].z * t1 + radiance[3].z * t2) * 0.6666667f;
+  let value = vec3<f32>(radiance[0].x * 0.2820948f + t3 + 0.25f * (zonal.x * t5),
+      radiance[0].y * 0.2820948f + t6 + 0.25f * (zonal.y * t5),
+      radiance[0].z * 0.2820948f + t7 + 0.25f * (zonal.z * t5));
+  return value;
+}
+
+// Irradiance over pi of radiance of two bands, Geomerics' positive curve.
+// 157 operations: 43 additions, 41 multiplications, 7 divisions, 1 square roots, 65 comparisons and choices.
+fn zonal_irradiance_nonlinear(radiance: array<f32, 4>, normal: vec3<f32>) -> f32 {
+  let t0 = -radiance[3];
+  let t1 = -radiance[1];
+  let t2 = t0 * t0 + t1 * t1 + radiance[2] * radiance[2];
+  let is_3 = t2 < 1e-30f;
+  let t4 = sqrt(max(t2, 1e-30f));
+  let t5 = min(0.57735026f * select(t4, 0.0f, is_3) / max(radiance[0], 1e-30f), 1.0f);
+  let t6 = 1.0f + t5;
+  let t7 = (1.0f - t5) / t6;
+  let t8 = t6 + t5;
+  let t9 = select(t0 / t4, 0.0f, is_3) * normal.x + select(t1 / t4, 0.0f, is_3) * normal.y;
+  let t10 = max(0.5f + 0.5f * (t9 + select(radiance[2] / t4, 1.0f, is_3) * normal.z), 0.0f);
+  let t11 = max(min(t10, 1.0f), 1.0842022e-19f);
+  let is_12 = t11 < 2.3283064e-10f;
+  let t13 = select(t11, t11 * 4294967296.0f, is_12);
+  let is_14 = t13 < 1.5258789e-05f;
+  let t15 = select(t13, t13 * 65536.0f, is_14);
+  let is_16 = t15 < 0.00390625f;
+  let t17 = select(t15, t15 * 256.0f, is_16);
+  let is_18 = t17 < 0.0625f;
+  let t19 = select(t17, t17 * 16.0f, is_18);
+  let is_20 = t19 < 0.25f;
+  let t21 = select(t19, t19 * 4.0f, is_20);
+  let is_22 = t21 < 0.5f;
+  let t23 = select(t21, t21 * 2.0f, is_22);
+  let is_24 = t23 < 0.70710677f;
+  let t25 = select(0.0f, -32.0f, is_12);
+  let t26 = select(t25, t25 - 16.0f, is_14);
+  let t27 = select(t26, t26 - 8.0f, is_16);
+  let t28 = select(t27, t27 - 4.0f, is_18);
+  let t29 = select(t28, t28 - 2.0f, is_20);
+  let t30 = select(t29, t29 - 1.0f, is_22);
+  let t31 = select(t23, t23 + t23, is_24);
+  let t32 = (t31 - 1.0f) / (t31 + 1.0f);
+  let t33 = t32 * t32;
+  let t34 = (((0.11111111f * t33 + 0.14285715f) * t33 + 0.2f) * t33 + 0.33333334f) * t33;
+  let t35 = select(t30, t30 - 1.0f, is_24) * 0.6931472f + (t32 + t32) * (t34 + 1.0f);
+  let t36 = t8 * t35;
+  let t37 = min(abs(t36), 105.35837f);
+  let is_38 = 64.0f <= t37;
+  let is_39 = t36 < 0.0f;
+  let t40 = select(t37, t37 - 64.0f, is_38);
+  let is_41 = 32.0f <= t40;
+  let t42 = select(t40, t40 - 32.0f, is_41);
+  let is_43 = 16.0f <= t42;
+  let t44 = select(t42, t42 - 16.0f, is_43);
+  let is_45 = 8.0f <= t44;
+  let t46 = select(t44, t44 - 8.0f, is_45);
+  let is_47 = 4.0f <= t46;
+  let t48 = select(t46, t46 - 4.0f, is_47);
+  let is_49 = 2.0f <= t48;
+  let t50 = select(t48, t48 - 2.0f, is_49);
+  let is_51 = 1.0f <= t50;
+  let t52 = select(t50, t50 - 1.0f, is_51);
+  let is_53 = 0.5f <= t52;
+  let t54 = select(t52, t52 - 0.5f, is_53);
+  let is_55 = 0.25f <= t54;
+  let t56 = select(1.0f, 1.2664166e-14f, is_41);
+  let t57 = select(t56, t56 * 1.12535176e-07f, is_43);
+  let t58 = select(t57, t57 * 0.00033546262f, is_45);
+  let t59 = select(t58, t58 * 0.01831564f, is_47);
+  let t60 = select(t59, t59 * 0.13533528f, is_49);
+  let t61 = select(t60, t60 * 0.36787945f, is_51);
+  let t62 = select(t61, t61 * 0.60653067f, is_53);
+  let t63 = select(t54, t54 - 0.25f, is_55);
+  let t64 = 0.16666667f - t63 * (0.041666668f - t63 * (0.008333334f - t63 * 0.0013888889f));
+  let t65 = select(t62, t62 * 0.7788008f, is_55) * (1.0f - t63 * (1.0f - t63 * (0.5f - t63 * t64)));
+  let t66 = select(1.0f / t65, t65, is_39);
+  let t67 = (1.0f - t7) * (t8 + 1.0f) * select(t66, t66 * select(6.235149e+27f, 1.6038109e-28f, is_39), is_38);
+  let value = max(radiance[0], 0.0f) * 0.2820948f * (t7 + t67);
+  return value;
+}
+
+// Irradiance over pi of radiance of two bands, Geomerics' positive curve. For colours.
+// 471 operations: 129 additions, 123 multiplications, 21 divisions, 3 square roots, 195 comparisons and choices.
+fn zonal_irradiance_nonlinear_colour(radiance: array<vec3<f32>, 4>, normal: vec3<f32>) -> vec3<f32> {
+  let t0 = -radiance[3].x;
+  let t1 = -radiance[1].x;
+  let t2 = t0 * t0 + t1 * t1 + radiance[2].x * radiance[2].x;
+  let is_3 = t2 < 1e-30f;
+  let t4 = sqrt(max(t2, 1e-30f));
+  let t5 = min(0.57735026f * select(t4, 0.0f, is_3) / max(radiance[0].x, 1e-30f), 1.0f);
+  let t6 = 1.0f + t5;
+  let t7 = (1.0f - t5) / t6;
+  let t8 = t6 + t5;
+  let t9 = select(t0 / t4, 0.0f, is_3) * normal.x + select(t1 / t4, 0.0f, is_3) * normal.y;
+  let t10 = max(0.5f + 0.5f * (t9 + select(radiance[2].x / t4, 1.0f, is_3) * normal.z), 0.0f);
+  let t11 = max(min(t10, 1.0f), 1.0842022e-19f);
+  let is_12 = t11 < 2.3283064e-10f;
+  let t13 = select(t11, t11 * 4294967296.0f, is_12);
+  let is_14 = t13 < 1.5258789e-05f;
+  let t15 = select(t13, t13 * 65536.0f, is_14);
+  let is_16 = t15 < 0.00390625f;
+  let t17 = select(t15, t15 * 256.0f, is_16);
+  let is_18 = t17 < 0.0625f;
+  let t19 = select(t17, t17 * 16.0f, is_18);
+  let is_20 = t19 < 0.25f;
+  let t21 = select(t19, t19 * 4.0f, is_20);
+  let is_22 = t21 < 0.5f;
+  let t23 = select(t21, t21 * 2.0f, is_22);
+  let is_24 = t23 < 0.70710677f;
+  let t25 = select(0.0f, -32.0f, is_12);
+  let t26 = select(t25, t25 - 16.0f, is_14);
+  let t27 = select(t26, t26 - 8.0f, is_16);
+  let t28 = select(t27, t27 - 4.0f, is_18);
+  let t29 = select(t28, t28 - 2.0f, is_20);
+  let t30 = select(t29, t29 - 1.0f, is_22);
+  let t31 = select(t23, t23 + t23, is_24);
+  let t32 = (t31 - 1.0f) / (t31 + 1.0f);
+  let t33 = t32 * t32;
+  let t34 = (((0.11111111f * t33 + 0.14285715f) * t33 + 0.2f) * t33 + 0.33333334f) * t33;
+  let t35 = select(t30, t30 - 1.0f, is_24) * 0.6931472f + (t32 + t32) * (t34 + 1.0f);
+  let t36 = t8 * t35;
+  let t37 = min(abs(t36), 105.35837f);
+  let is_38 = 64.0f <= t37;
+  let is_39 = t36 < 0.0f;
+  let t40 = select(t37, t37 - 64.0f, is_38);
+  let is_41 = 32.0f <= t40;
+  let t42 = select(t40, t40 - 32.0f, is_41);
+  let is_43 = 16.0f <= t42;
+  let t44 = select(t42, t42 - 16.0f, is_43);
+  let is_45 = 8.0f <= t44;
+  let t46 = select(t44, t44 - 8.0f, is_45);
+  let is_47 = 4.0f <= t46;
+  let t48 = select(t46, t46 - 4.0f, is_47);
+  let is_49 = 2.0f <= t48;
+  let t50 = select(t48, t48 - 2.0f, is_49);
+  let is_51 = 1.0f <= t50;
+  let t52 = select(t50, t50 - 1.0f, is_51);
+  let is_53 = 0.5f <= t52;
+  let t54 = select(t52, t52 - 0.5f, is_53);
+  let is_55 = 0.25f <= t54;
+  let t56 = select(1.0f, 1.2664166e-14f, is_41);
+  let t57 = select(t56, t56 * 1.12535176e-07f, is_43);
+  let t58 = select(t57, t57 * 0.00033546262f, is_45);
+  let t59 = select(t58, t58 * 0.01831564f, is_47);
+  let t60 = select(t59, t59 * 0.13533528f, is_49);
+  let t61 = select(t60, t60 * 0.36787945f, is_51);
+  let t62 = select(t61, t61 * 0.60653067f, is_53);
+  let t63 = select(t54, t54 - 0.25f, is_55);
+  let t64 = 0.16666667f - t63 * (0.041666668f - t63 * (0.008333334f - t63 * 0.0013888889f));
+  let t65 = select(t62, t62 * 0.7788008f, is_55) * (1.0f - t63 * (1.0f - t63 * (0.5f - t63 * t64)));
+  let t66 = select(1.0f / t65, t65, is_39);
+  let t67 = (1.0f - t7) * (t8 + 1.0f) * select(t66, t66 * select(6.235149e+27f, 1.6038109e-28f, is_39), is_38);
+  let t68 = -radiance[3].y;
+  let t69 = -radiance[1].y;
+  let t70 = t68 * t68 + t69 * t69 + radiance[2].y * radiance[2].y;
+  let is_71 = t70 < 1e-30f;
+  let t72 = sqrt(max(t70, 1e-30f));
+  let t73 = min(0.57735026f * select(t72, 0.0f, is_71) / max(radiance[0].y, 1e-30f), 1.0f);
+  let t74 = 1.0f + t73;
+  let t75 = (1.0f - t73) / t74;
+  let t76 = t74 + t73;
+  let t77 = select(t68 / t72, 0.0f, is_71) * normal.x + select(t69 / t72, 0.0f, is_71) * normal.y;
+  let t78 = 0.5f + 0.5f * (t77 + select(radiance[2].y / t72, 1.0f, is_71) * normal.z);
+  let t79 = max(min(max(t78, 0.0f), 1.0f), 1.0842022e-19f);
+  let is_80 = t79 < 2.3283064e-10f;
+  let t81 = select(t79, t79 * 4294967296.0f, is_80);
+  let is_82 = t81 < 1.5258789e-05f;
+  let t83 = select(t81, t81 * 65536.0f, is_82);
+  let is_84 = t83 < 0.00390625f;
+  let t85 = select(t83, t83 * 256.0f, is_84);
+  let is_86 = t85 < 0.0625f;
+  let t87 = select(t85, t85 * 16.0f, is_86);
+  let is_88 = t87 < 0.25f;
+  let t89 = select(t87, t87 * 4.0f, is_88);
+  let is_90 = t89 < 0.5f;
+  let t91 = select(t89, t89 * 2.0f, is_90);
+  let is_92 = t91 < 0.70710677f;
+  let t93 = select(0.0f, -32.0f, is_80);
+  let t94 = select(t93, t93 - 16.0f, is_82);
+  let t95 = select(t94, t94 - 8.0f, is_84);
+  let t96 = select(t95, t95 - 4.0f, is_86);
+  let t97 = select(t96, t96 - 2.0f, is_88);
+  let t98 = select(t97, t97 - 1.0f, is_90);
+  let t99 = select(t91, t91 + t91, is_92);
+  let t100 = (t99 - 1.0f) / (t99 + 1.0f);
+  let t101 = t100 * t100;
+  let t102 = (((0.11111111f * t101 + 0.14285715f) * t101 + 0.2f) * t101 + 0.33333334f) * t101;
+  let t103 = select(t98, t98 - 1.0f, is_92) * 0.6931472f + (t100 + t100) * (t102 + 1.0f);
+  let t104 = t76 * t103;
+  let t105 = min(abs(t104), 105.35837f);
+  let is_106 = 64.0f <= t105;
+  let is_107 = t104 < 0.0f;
+  let t108 = select(t105, t105 - 64.0f, is_106);
+  let is_109 = 32.0f <= t108;
+  let t110 = select(t108, t108 - 32.0f, is_109);
+  let is_111 = 16.0f <= t110;
+  let t112 = select(t110, t110 - 16.0f, is_111);
+  let is_113 = 8.0f <= t112;
+  let t114 = select(t112, t112 - 8.0f, is_113);
+  let is_115 = 4.0f <= t114;
+  let t116 = select(t114, t114 - 4.0f, is_115);
+  let is_117 = 2.0f <= t116;
+  let t118 = select(t116, t116 - 2.0f, is_117);
+  let is_119 = 1.0f <= t118;
+  let t120 = select(t118, t118 - 1.0f, is_119);
+  let is_121 = 0.5f <= t120;
+  let t122 = select(t120, t120 - 0.5f, is_121);
+  let is_123 = 0.25f <= t122;
+  let t124 = select(1.0f, 1.2664166e-14f, is_109);
+  let t125 = select(t124, t124 * 1.12535176e-07f, is_111);
+  let t126 = select(t125, t125 * 0.00033546262f, is_113);
+  let t127 = select(t126, t126 * 0.01831564f, is_115);
+  let t128 = select(t127, t127 * 0.13533528f, is_117);
+  let t129 = select(t128, t128 * 0.36787945f, is_119);
+  let t130 = select(t129, t129 * 0.60653067f, is_121);
+  let t131 = select(t122, t122 - 0.25f, is_123);
+  let t132 = 0.16666667f - t131 * (0.041666668f - t131 * (0.008333334f - t131 * 0.0013888889f));
+  let t133 = select(t130, t130 * 0.7788008f, is_123) * (1.0f - t131 * (1.0f - t131 * (0.5f - t131 * t132)));
+  let t134 = select(1.0f / t133, t133, is_107);
+  let t135 = select(t134, t134 * select(6.235149e+27f, 1.6038109e-28f, is_107), is_106);
+  let t136 = max(radiance[0].y, 0.0f) * 0.2820948f * (t75 + (1.0f - t75) * (t76 + 1.0f) * t135);
+  let t137 = -radiance[3].z;
+  let t138 = -radiance[1].z;
+  let t139 = t137 * t137 + t138 * t138 + radiance[2].z * radiance[2].z;
+  let is_140 = t139 < 1e-30f;
+  let t141 = sqrt(max(t139, 1e-30f));
+  let t142 = min(0.57735026f * select(t141, 0.0f, is_140) / max(radiance[0].z, 1e-30f), 1.0f);
+  let t143 = 1.0f + t142;
+  let t144 = (1.0f - t142) / t143;
+  let t145 = t143 + t142;
+  let t146 = select(t137 / t141, 0.0f, is_140) * normal.x + select(t138 / t141, 0.0f, is_140) * normal.y;
+  let t147 = 0.5f + 0.5f * (t146 + select(radiance[2].z / t141, 1.0f, is_140) * normal.z);
+  let t148 = max(min(max(t147, 0.0f), 1.0f), 1.0842022e-19f);
+  let is_149 = t148 < 2.3283064e-10f;
+  let t150 = select(t148, t148 * 4294967296.0f, is_149);
+  let is_151 = t150 < 1.5258789e-05f;
+  let t152 = select(t150, t150 * 65536.0f, is_151);
+  let is_153 = t152 < 0.00390625f;
+  let t154 = select(t152, t152 * 256.0f, is_153);
+  let is_155 = t154 < 0.0625f;
+  let t156 = select(t154, t154 * 16.0f, is_155);
+  let is_157 = t156 < 0.25f;
+  let t158 = select(t156, t156 * 4.0f, is_157);
+  let is_159 = t158 < 0.5f;
+  let t160 = select(t158, t158 * 2.0f, is_159);
+  let is_161 = t160 < 0.70710677f;
+  let t162 = select(0.0f, -32.0f, is_149);
+  let t163 = select(t162, t162 - 16.0f, is_151);
+  let t164 = select(t163, t163 - 8.0f, is_153);
+  let t165 = select(t164, t164 - 4.0f, is_155);
+  let t166 = select(t165, t165 - 2.0f, is_157);
+  let t167 = select(t166, t166 - 1.0f, is_159);
+  let t168 = select(t160, t160 + t160, is_161);
+  let t169 = (t168 - 1.0f) / (t168 + 1.0f);
+  let t170 = t169 * t169;
+  let t171 = (((0.11111111f * t170 + 0.14285715f) * t170 + 0.2f) * t170 + 0.33333334f) * t170;
+  let t172 = select(t167, t167 - 1.0f, is_161) * 0.6931472f + (t169 + t169) * (t171 + 1.0f);
+  let t173 = t145 * t172;
+  let t174 = min(abs(t173), 105.35837f);
+  let is_175 = 64.0f <= t174;
+  let is_176 = t173 < 0.0f;
+  let t177 = select(t174, t174 - 64.0f, is_175);
+  let is_178 = 32.0f <= t177;
+  let t179 = select(t177, t177 - 32.0f, is_178);
+  let is_180 = 16.0f <= t179;
+  let t181 = select(t179, t179 - 16.0f, is_180);
+  let is_182 = 8.0f <= t181;
+  let t183 = select(t181, t181 - 8.0f, is_182);
+  let is_184 = 4.0f <= t183;
+  let t185 = select(t183, t183 - 4.0f, is_184);
+  let is_186 = 2.0f <= t185;
+  let t187 = select(t185, t185 - 2.0f, is_186);
+  let is_188 = 1.0f <= t187;
+  let t189 = select(t187, t187 - 1.0f, is_188);
+  let is_190 = 0.5f <= t189;
+  let t191 = select(t189, t189 - 0.5f, is_190);
+  let is_192 = 0.25f <= t191;
+  let t193 = select(1.0f, 1.2664166e-14f, is_178);
+  let t194 = select(t193, t193 * 1.12535176e-07f, is_180);
+  let t195 = select(t194, t194 * 0.00033546262f, is_182);
+  let t196 = select(t195, t195 * 0.01831564f, is_184);
+  let t197 = select(t196, t196 * 0.13533528f, is_186);
+  let t198 = select(t197, t197 * 0.36787945f, is_188);
+  let t199 = select(t198, t198 * 0.60653067f, is_190);
+  let t200 = select(t191, t191 - 0.25f, is_192);
+  let t201 = 0.16666667f - t200 * (0.041666668f - t200 * (0.008333334f - t200 * 0.0013888889f));
+  let t202 = select(t199, t199 * 0.7788008f, is_192) * (1.0f - t200 * (1.0f - t200 * (0.5f - t200 * t201)));
+  let t203 = select(1.0f / t202, t202, is_176);
+  let t204 = select(t203, t203 * select(6.235149e+27f, 1.6038109e-28f, is_176), is_175);
+  let t205 = max(radiance[0].z, 0.0f) * 0.2820948f * (t144 + (1.0f - t144) * (t145 + 1.0f) * t204);
+  let value = vec3<f32>(max(radiance[0].x, 0.0f) * 0.2820948f * (t7 + t67), t136, t205);
+  return value;
+}
+
+// Irradiance over pi, RGB, of luminance on two bands with Co and Cg.
+// 24 operations: 7 additions, 11 multiplications, 1 divisions, 0 square roots, 5 comparisons and choices.
+fn zonal_irradiance_six_floats(luminance: array<f32, 4>, co: f32, cg: f32, normal: vec3<f32>) -> vec3<f32> {
+  let t0 = luminance[2] * (0.48860252f * normal.z) + luminance[1] * (-0.48860252f * normal.y);
+  let t1 = luminance[0] * 0.2820948f + (t0 + luminance[3] * (-0.48860252f * normal.x)) * 0.6666667f;
+  let t2 = max(t1, 0.0f);
+  let t3 = 0.5f * (t2 / max(luminance[0], 1e-30f));
+  let t4 = t3 * cg;
+  let t5 = t2 - t4;
+  let t6 = t3 * co;
+  let colour = vec3<f32>(max(t5 + t6, 0.0f), max(t2 + t4, 0.0f), max(t5 - t6, 0.0f));
+  return colour;
+}
+
+// The same by Geomerics' positive curve.
+// 168 operations: 47 additions, 44 multiplications, 8 divisions, 1 square roots, 68 comparisons and choices.
+fn zonal_irradiance_six_floats_nonlinear(luminance: array<f32, 4>, co: f32, cg: f32, normal: vec3<f32>) -> vec3<f32> {
+  let t0 = -luminance[3];
+  let t1 = -luminance[1];
+  let t2 = t0 * t0 + t1 * t1 + luminance[2] * luminance[2];
+  let is_3 = t2 < 1e-30f;
+  let t4 = sqrt(max(t2, 1e-30f));
+  let t5 = max(luminance[0], 1e-30f);
+  let t6 = min(0.57735026f * select(t4, 0.0f, is_3) / t5, 1.0f);
+  let t7 = 1.0f + t6;
+  let t8 = (1.0f - t6) / t7;
+  let t9 = t7 + t6;
+  let t10 = select(t0 / t4, 0.0f, is_3) * normal.x + select(t1 / t4, 0.0f, is_3) * normal.y;
+  let t11 = max(0.5f + 0.5f * (t10 + select(luminance[2] / t4, 1.0f, is_3) * normal.z), 0.0f);
+  let t12 = max(min(t11, 1.0f), 1.0842022e-19f);
+  let is_13 = t12 < 2.3283064e-10f;
+  let t14 = select(t12, t12 * 4294967296.0f, is_13);
+  let is_15 = t14 < 1.5258789e-05f;
+  let t16 = select(t14, t14 * 65536.0f, is_15);
+  let is_17 = t16 < 0.00390625f;
+  let t18 = select(t16, t16 * 256.0f, is_17);
+  let is_19 = t18 < 0.0625f;
+  let t20 = select(t18, t18 * 16.0f, is_19);
+  let is_21 = t20 < 0.25f;
+  let t22 = select(t20, t20 * 4.0f, is_21);
+  let is_23 = t22 < 0.5f;
+  let t24 = select(t22, t22 * 2.0f, is_23);
+  let is_25 = t24 < 0.70710677f;
+  let t26 = select(0.0f, -32.0f, is_13);
+  let t27 = select(t26, t26 - 16.0f, is_15);
+  let t28 = select(t27, t27 - 8.0f, is_17);
+  let t29 = select(t28, t28 - 4.0f, is_19);
+  let t30 = select(t29, t29 - 2.0f, is_21);
+  let t31 = select(t30, t30 - 1.0f, is_23);
+  let t32 = select(t24, t24 + t24, is_25);
+  let t33 = (t32 - 1.0f) / (t32 + 1.0f);
+  let t34 = t33 * t33;
+  let t35 = (((0.11111111f * t34 + 0.14285715f) * t34 + 0.2f) * t34 + 0.33333334f) * t34;
+  let t36 = select(t31, t31 - 1.0f, is_25) * 0.6931472f + (t33 + t33) * (t35 + 1.0f);
+  let t37 = t9 * t36;
+  let t38 = min(abs(t37), 105.35837f);
+  let is_39 = 64.0f <= t38;
+  let is_40 = t37 < 0.0f;
+  let t41 = select(t38, t38 - 64.0f, is_39);
+  let is_42 = 32.0f <= t41;
+  let t43 = select(t41, t41 - 32.0f, is_42);
+  let is_44 = 16.0f <= t43;
+  let t45 = select(t43, t43 - 16.0f, is_44);
+  let is_46 = 8.0f <= t45;
+  let t47 = select(t45, t45 - 8.0f, is_46);
+  let is_48 = 4.0f <= t47;
+  let t49 = select(t47, t47 - 4.0f, is_48);
+  let is_50 = 2.0f <= t49;
+  let t51 = select(t49, t49 - 2.0f, is_50);
+  let is_52 = 1.0f <= t51;
+  let t53 = select(t51, t51 - 1.0f, is_52);
+  let is_54 = 0.5f <= t53;
+  let t55 = select(t53, t53 - 0.5f, is_54);
+  let is_56 = 0.25f <= t55;
+  let t57 = select(1.0f, 1.2664166e-14f, is_42);
+  let t58 = select(t57, t57 * 1.12535176e-07f, is_44);
+  let t59 = select(t58, t58 * 0.00033546262f, is_46);
+  let t60 = select(t59, t59 * 0.01831564f, is_48);
+  let t61 = select(t60, t60 * 0.13533528f, is_50);
+  let t62 = select(t61, t61 * 0.36787945f, is_52);
+  let t63 = select(t62, t62 * 0.60653067f, is_54);
+  let t64 = select(t55, t55 - 0.25f, is_56);
+  let t65 = 0.16666667f - t64 * (0.041666668f - t64 * (0.008333334f - t64 * 0.0013888889f));
+  let t66 = select(t63, t63 * 0.7788008f, is_56) * (1.0f - t64 * (1.0f - t64 * (0.5f - t64 * t65)));
+  let t67 = select(1.0f / t66, t66, is_40);
+  let t68 = (1.0f - t8) * (t9 + 1.0f) * select(t67, t67 * select(6.235149e+27f, 1.6038109e-28f, is_40), is_39);
+  let t69 = max(luminance[0], 0.0f) * 0.2820948f * (t8 + t68);
+  let t70 = 0.5f * (t69 / t5);
+  let t71 = t70 * cg;
+  let t72 = t69 - t71;
+  let t73 = t70 * co;
+  let colour = vec3<f32>(max(t72 + t73, 0.0f), max(t69 + t71, 0.0f), max(t72 - t73, 0.0f));
+  return colour;
+}
+
+// Irradiance over pi of radiance that stands as whole numbers -127 to 127 times one scale.
+// 12 operations: 3 additions, 9 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+fn zonal_irradiance_bytes_2(scale: f32, stored: array<f32, 4>, normal: vec3<f32>) -> f32 {
+  let t0 = stored[2] * (0.48860252f * normal.z) + stored[1] * (-0.48860252f * normal.y);
+  let t1 = stored[0] * 0.2820948f + 0.6666667f * (t0 + stored[3] * (-0.48860252f * normal.x));
+  let value = scale * t1;
+  return value;
+}
+
+// Irradiance over pi of radiance that stands as whole numbers -127 to 127 times one scale.
+// 36 operations: 11 additions, 25 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+fn zonal_irradiance_bytes_3(scale: f32, stored: array<f32, 9>, normal: vec3<f32>) -> f32 {
+  let t0 = stored[2] * (0.48860252f * normal.z) + stored[1] * (-0.48860252f * normal.y);
+  let t1 = stored[0] * 0.2820948f + 0.6666667f * (t0 + stored[3] * (-0.48860252f * normal.x));
+  let t2 = -1.0925485f * normal.z;
+  let t3 = stored[6] * (0.9461747f * (normal.z * normal.z) + -0.31539157f) + stored[5] * (t2 * normal.y);
+  let t4 = normal.y * normal.x;
+  let t5 = t3 + stored[7] * (t2 * normal.x) + stored[4] * (0.54627424f * (t4 + t4));
+  let t6 = t5 + stored[8] * (0.54627424f * (normal.x * normal.x - normal.y * normal.y));
+  let value = scale * (t1 + 0.25f * t6);
   return value;
 }

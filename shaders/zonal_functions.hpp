@@ -1,5 +1,5 @@
-// zonal 0.2.0, C++ and CUDA. --bands 5 --functions evaluate@2,evaluate@3,evaluate@4,evaluate@5,evaluate_with_gradient@2,evaluate_with_gradient@3,evaluate_with_gradient@4,evaluate_with_gradient@5,reconstruct@2,reconstruct@3,reconstruct@4,reconstruct@5,reconstruct_colour@2,reconstruct_colour@3,reconstruct_colour@4,reconstruct_colour@5,reconstruct_lambert@2,reconstruct_lambert@3,reconstruct_lambert@4,reconstruct_lambert@5,reconstruct_lambert_colour@2,reconstruct_lambert_colour@3,reconstruct_lambert_colour@4,reconstruct_lambert_colour@5,orient@2,orient@3,orient@4,orient@5,orient_colour@2,orient_colour@3,orient_colour@4,orient_colour@5,dot@2,dot@3,dot@4,dot@5,dot_colour@2,dot_colour@3,dot_colour@4,dot_colour@5,dot_colours@2,dot_colours@3,dot_colours@4,dot_colours@5,convolve@2,convolve@3,convolve@4,convolve@5,convolve_colour@2,convolve_colour@3,convolve_colour@4,convolve_colour@5,lambert@2,lambert@3,lambert@4,lambert@5,cap@2,cap@3,cap@4,cap@5,cap_up_to_hemisphere@2,cap_up_to_hemisphere@3,cap_up_to_hemisphere@4,cap_up_to_hemisphere@5,sphere_cap@2,sphere_cap@3,sphere_cap@4,sphere_cap@5,phong@2,phong@3,phong@4,phong@5,spherical_gaussian@2,spherical_gaussian@3,spherical_gaussian@4,spherical_gaussian@5,project_sphere@2,project_sphere@3,project_sphere@4,project_sphere@5,reconstruct_with_adjoint@3,reconstruct_with_adjoint@4,splat_colour@3,splat_colour@4,splat_with_adjoint@3,splat_with_adjoint@4,rotate_about_z@2,rotate_about_z@3,prepare_rotation@2,prepare_rotation@3,rotate@2,rotate@3,rotate_colour@2,rotate_colour@3,product@2,product@3,product_colour@2,product_colour@3,triple_product@2,triple_product@3
-// 100 functions, 7567 operations. Written by zonal-glsl: do not edit.
+// zonal 0.2.0, C++ and CUDA. --bands 5 --functions evaluate@2,evaluate@3,evaluate@4,evaluate@5,evaluate_with_gradient@2,evaluate_with_gradient@3,evaluate_with_gradient@4,evaluate_with_gradient@5,reconstruct@2,reconstruct@3,reconstruct@4,reconstruct@5,reconstruct_colour@2,reconstruct_colour@3,reconstruct_colour@4,reconstruct_colour@5,reconstruct_lambert@2,reconstruct_lambert@3,reconstruct_lambert@4,reconstruct_lambert@5,reconstruct_lambert_colour@2,reconstruct_lambert_colour@3,reconstruct_lambert_colour@4,reconstruct_lambert_colour@5,orient@2,orient@3,orient@4,orient@5,orient_colour@2,orient_colour@3,orient_colour@4,orient_colour@5,dot@2,dot@3,dot@4,dot@5,dot_colour@2,dot_colour@3,dot_colour@4,dot_colour@5,dot_colours@2,dot_colours@3,dot_colours@4,dot_colours@5,convolve@2,convolve@3,convolve@4,convolve@5,convolve_colour@2,convolve_colour@3,convolve_colour@4,convolve_colour@5,lambert@2,lambert@3,lambert@4,lambert@5,cap@2,cap@3,cap@4,cap@5,cap_up_to_hemisphere@2,cap_up_to_hemisphere@3,cap_up_to_hemisphere@4,cap_up_to_hemisphere@5,sphere_cap@2,sphere_cap@3,sphere_cap@4,sphere_cap@5,phong@2,phong@3,phong@4,phong@5,spherical_gaussian@2,spherical_gaussian@3,spherical_gaussian@4,spherical_gaussian@5,project_sphere@2,project_sphere@3,project_sphere@4,project_sphere@5,reconstruct_with_adjoint@3,reconstruct_with_adjoint@4,splat_colour@3,splat_colour@4,splat_with_adjoint@3,splat_with_adjoint@4,rotate_about_z@2,rotate_about_z@3,prepare_rotation@2,prepare_rotation@3,rotate@2,rotate@3,rotate_colour@2,rotate_colour@3,product@2,product@3,product_colour@2,product_colour@3,triple_product@2,triple_product@3,reconstruct_seven_vectors,reconstruct_nine_polynomials_colour,reconstruct_polynomials_colour,linear_axis,hallucinate_zh3,hallucinate_zh3_colour,irradiance_zh3,irradiance_zh3_colour,irradiance_nonlinear,irradiance_nonlinear_colour,irradiance_six_floats,irradiance_six_floats_nonlinear,irradiance_bytes@2,irradiance_bytes@3
+// 114 functions, 8708 operations. Written by zonal-glsl: do not edit.
 #include <math.h>
 #ifndef ZONAL_FUNCTION
 #ifdef __CUDACC__
@@ -3693,6 +3693,609 @@ ZONAL_FUNCTION float zonal_triple_product_3(const float (&a)[9], const float (&b
   const float t25 = t24 + (a[7] * b[6] + a[6] * b[7]) * 0.090111874f + (a[8] * b[7] + a[7] * b[8] + (a[4] * b[5] + a[5] * b[4])) * 0.15607835f;
   const float t26 = t13 + (t15 * c[1] + t17 * c[5]) + (t19 * c[2] + t21 + (t23 * c[3] + t25 * c[7]));
   const float value = t26;
+  return value;
+}
+#endif
+
+#ifndef ZONAL_RECONSTRUCT_SEVEN_VECTORS
+#define ZONAL_RECONSTRUCT_SEVEN_VECTORS
+// Irradiance over pi of one channel of Unity's or Unreal's seven vectors, at a normal.
+// 23 operations: 9 additions, 14 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+ZONAL_FUNCTION float zonal_reconstruct_seven_vectors(const float (&a)[4], const float (&b)[4], float c,
+    const float (&normal)[3]) {
+  const float t0 = b[0] * (normal[0] * normal[1]) + b[1] * (normal[1] * normal[2]) + b[2] * (normal[2] * normal[2]);
+  const float t1 = a[0] * normal[0] + a[1] * normal[1] + a[2] * normal[2] + a[3] + (t0 + b[3] * (normal[2] * normal[0]));
+  const float value = t1 + c * (normal[0] * normal[0] - normal[1] * normal[1]);
+  return value;
+}
+#endif
+
+#ifndef ZONAL_RECONSTRUCT_NINE_POLYNOMIALS_COLOUR
+#define ZONAL_RECONSTRUCT_NINE_POLYNOMIALS_COLOUR
+// Irradiance over pi of Babylon.js' polynomial, x y z xx yy zz yz zx xy, at a normal. For colours.
+// 57 operations: 24 additions, 33 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+ZONAL_FUNCTION void zonal_reconstruct_nine_polynomials_colour(const float (&polynomial)[9][3],
+    const float (&normal)[3], float (&value)[3]) {
+  const float t0 = polynomial[0][0] * normal[0] + polynomial[1][0] * normal[1] + polynomial[2][0] * normal[2];
+  const float t1 = normal[0] * normal[0];
+  const float t2 = normal[1] * normal[1];
+  const float t3 = normal[2] * normal[2];
+  const float t4 = t0 + polynomial[3][0] * t1 + polynomial[4][0] * t2 + polynomial[5][0] * t3;
+  const float t5 = normal[1] * normal[2];
+  const float t6 = normal[2] * normal[0];
+  const float t7 = normal[0] * normal[1];
+  const float t8 = t4 + polynomial[6][0] * t5 + polynomial[7][0] * t6 + polynomial[8][0] * t7;
+  value[0] = t8;
+  const float t9 = polynomial[0][1] * normal[0] + polynomial[1][1] * normal[1] + polynomial[2][1] * normal[2];
+  const float t10 = t9 + polynomial[3][1] * t1 + polynomial[4][1] * t2 + polynomial[5][1] * t3;
+  const float t11 = t10 + polynomial[6][1] * t5 + polynomial[7][1] * t6 + polynomial[8][1] * t7;
+  value[1] = t11;
+  const float t12 = polynomial[0][2] * normal[0] + polynomial[1][2] * normal[1] + polynomial[2][2] * normal[2];
+  const float t13 = t12 + polynomial[3][2] * t1 + polynomial[4][2] * t2 + polynomial[5][2] * t3;
+  const float t14 = t13 + polynomial[6][2] * t5 + polynomial[7][2] * t6 + polynomial[8][2] * t7;
+  value[2] = t14;
+}
+#endif
+
+#ifndef ZONAL_RECONSTRUCT_POLYNOMIALS_COLOUR
+#define ZONAL_RECONSTRUCT_POLYNOMIALS_COLOUR
+// The value of plain polynomials, 1 y z x xy yz 3zz-1 xz xx-yy, as Filament's shaders and Unity's nine have it. For colours.
+// 57 operations: 26 additions, 31 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+ZONAL_FUNCTION void zonal_reconstruct_polynomials_colour(const float (&polynomials)[9][3], const float (&normal)[3],
+    float (&value)[3]) {
+  const float t0 = polynomials[0][0] + polynomials[1][0] * normal[1] + polynomials[2][0] * normal[2];
+  const float t1 = normal[0] * normal[1];
+  const float t2 = normal[1] * normal[2];
+  const float t3 = t0 + polynomials[3][0] * normal[0] + polynomials[4][0] * t1 + polynomials[5][0] * t2;
+  const float t4 = 3.0f * (normal[2] * normal[2]) - 1.0f;
+  const float t5 = normal[0] * normal[2];
+  const float t6 = normal[0] * normal[0] - normal[1] * normal[1];
+  const float t7 = t3 + polynomials[6][0] * t4 + polynomials[7][0] * t5 + polynomials[8][0] * t6;
+  value[0] = t7;
+  const float t8 = polynomials[0][1] + polynomials[1][1] * normal[1] + polynomials[2][1] * normal[2];
+  const float t9 = t8 + polynomials[3][1] * normal[0] + polynomials[4][1] * t1 + polynomials[5][1] * t2;
+  const float t10 = t9 + polynomials[6][1] * t4 + polynomials[7][1] * t5 + polynomials[8][1] * t6;
+  value[1] = t10;
+  const float t11 = polynomials[0][2] + polynomials[1][2] * normal[1] + polynomials[2][2] * normal[2];
+  const float t12 = t11 + polynomials[3][2] * normal[0] + polynomials[4][2] * t1 + polynomials[5][2] * t2;
+  const float t13 = t12 + polynomials[6][2] * t4 + polynomials[7][2] * t5 + polynomials[8][2] * t6;
+  value[2] = t13;
+}
+#endif
+
+#ifndef ZONAL_LINEAR_AXIS
+#define ZONAL_LINEAR_AXIS
+// Where the light of two bands comes from, a unit vector; z where from nowhere.
+// 16 operations: 4 additions, 3 multiplications, 3 divisions, 1 square roots, 5 comparisons and choices.
+ZONAL_FUNCTION void zonal_linear_axis(const float (&radiance)[4], float (&axis)[3]) {
+  const float t0 = -radiance[3];
+  const float t1 = -radiance[1];
+  const float t2 = t0 * t0 + t1 * t1 + radiance[2] * radiance[2];
+  const bool is_3 = t2 < 1e-30f;
+  const float t4 = sqrtf(t2 < 1e-30f ? 1e-30f : t2);
+  axis[0] = is_3 ? 0.0f : t0 / t4;
+  axis[1] = is_3 ? 0.0f : t1 / t4;
+  axis[2] = is_3 ? 1.0f : radiance[2] / t4;
+}
+#endif
+
+#ifndef ZONAL_HALLUCINATE_ZH3
+#define ZONAL_HALLUCINATE_ZH3
+// ZH3's quadratic coefficient, guessed from two bands and their axis.
+// 13 operations: 5 additions, 5 multiplications, 1 divisions, 0 square roots, 2 comparisons and choices.
+ZONAL_FUNCTION float zonal_hallucinate_zh3(const float (&radiance)[4], const float (&axis)[3]) {
+  const float t0 = fabsf(-radiance[3] * axis[0] + -radiance[1] * axis[1] + radiance[2] * axis[2]);
+  const float t1 = t0 * (0.08f + 0.6f * (t0 / (radiance[0] < 1e-30f ? 1e-30f : radiance[0])));
+  const float zonal = t1;
+  return zonal;
+}
+#endif
+
+#ifndef ZONAL_HALLUCINATE_ZH3_COLOUR
+#define ZONAL_HALLUCINATE_ZH3_COLOUR
+// ZH3's quadratic coefficient, guessed from two bands and their axis. For colours.
+// 39 operations: 15 additions, 15 multiplications, 3 divisions, 0 square roots, 6 comparisons and choices.
+ZONAL_FUNCTION void zonal_hallucinate_zh3_colour(const float (&radiance)[4][3], const float (&axis)[3],
+    float (&zonal)[3]) {
+  const float t0 = -radiance[3][0] * axis[0] + -radiance[1][0] * axis[1] + radiance[2][0] * axis[2];
+  const float t1 = fabsf(t0);
+  const float t2 = 0.08f + 0.6f * (t1 / (radiance[0][0] < 1e-30f ? 1e-30f : radiance[0][0]));
+  zonal[0] = t1 * t2;
+  const float t3 = -radiance[3][1] * axis[0] + -radiance[1][1] * axis[1] + radiance[2][1] * axis[2];
+  const float t4 = fabsf(t3);
+  const float t5 = 0.08f + 0.6f * (t4 / (radiance[0][1] < 1e-30f ? 1e-30f : radiance[0][1]));
+  zonal[1] = t4 * t5;
+  const float t6 = -radiance[3][2] * axis[0] + -radiance[1][2] * axis[1] + radiance[2][2] * axis[2];
+  const float t7 = fabsf(t6);
+  const float t8 = 0.08f + 0.6f * (t7 / (radiance[0][2] < 1e-30f ? 1e-30f : radiance[0][2]));
+  zonal[2] = t7 * t8;
+}
+#endif
+
+#ifndef ZONAL_IRRADIANCE_ZH3
+#define ZONAL_IRRADIANCE_ZH3
+// Irradiance over pi of ZH3, radiance of two bands and one quadratic about an axis.
+// 23 operations: 7 additions, 16 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+ZONAL_FUNCTION float zonal_irradiance_zh3(const float (&radiance)[4], float zonal, const float (&axis)[3],
+    const float (&normal)[3]) {
+  const float t0 = radiance[2] * (0.48860252f * normal[2]) + radiance[1] * (-0.48860252f * normal[1]);
+  const float t1 = radiance[0] * 0.2820948f + (t0 + radiance[3] * (-0.48860252f * normal[0])) * 0.6666667f;
+  const float t2 = axis[0] * normal[0] + axis[1] * normal[1] + axis[2] * normal[2];
+  const float value = t1 + 0.25f * (zonal * (0.31539157f * (3.0f * t2 * t2 - 1.0f)));
+  return value;
+}
+#endif
+
+#ifndef ZONAL_IRRADIANCE_ZH3_COLOUR
+#define ZONAL_IRRADIANCE_ZH3_COLOUR
+// Irradiance over pi of ZH3, radiance of two bands and one quadratic about an axis. For colours.
+// 45 operations: 15 additions, 30 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+ZONAL_FUNCTION void zonal_irradiance_zh3_colour(const float (&radiance)[4][3], const float (&zonal)[3],
+    const float (&axis)[3], const float (&normal)[3], float (&value)[3]) {
+  const float t0 = 0.48860252f * normal[2];
+  const float t1 = -0.48860252f * normal[1];
+  const float t2 = -0.48860252f * normal[0];
+  const float t3 = (radiance[2][0] * t0 + radiance[1][0] * t1 + radiance[3][0] * t2) * 0.6666667f;
+  const float t4 = axis[0] * normal[0] + axis[1] * normal[1] + axis[2] * normal[2];
+  const float t5 = 0.31539157f * (3.0f * t4 * t4 - 1.0f);
+  value[0] = radiance[0][0] * 0.2820948f + t3 + 0.25f * (zonal[0] * t5);
+  const float t6 = (radiance[2][1] * t0 + radiance[1][1] * t1 + radiance[3][1] * t2) * 0.6666667f;
+  value[1] = radiance[0][1] * 0.2820948f + t6 + 0.25f * (zonal[1] * t5);
+  const float t7 = (radiance[2][2] * t0 + radiance[1][2] * t1 + radiance[3][2] * t2) * 0.6666667f;
+  value[2] = radiance[0][2] * 0.2820948f + t7 + 0.25f * (zonal[2] * t5);
+}
+#endif
+
+#ifndef ZONAL_IRRADIANCE_NONLINEAR
+#define ZONAL_IRRADIANCE_NONLINEAR
+// Irradiance over pi of radiance of two bands, Geomerics' positive curve.
+// 157 operations: 43 additions, 41 multiplications, 7 divisions, 1 square roots, 65 comparisons and choices.
+ZONAL_FUNCTION float zonal_irradiance_nonlinear(const float (&radiance)[4], const float (&normal)[3]) {
+  const float t0 = -radiance[3];
+  const float t1 = -radiance[1];
+  const float t2 = t0 * t0 + t1 * t1 + radiance[2] * radiance[2];
+  const bool is_3 = t2 < 1e-30f;
+  const float t4 = sqrtf(t2 < 1e-30f ? 1e-30f : t2);
+  const float t5 = 0.57735026f * (is_3 ? 0.0f : t4) / (radiance[0] < 1e-30f ? 1e-30f : radiance[0]);
+  const float t6 = 1.0f < t5 ? 1.0f : t5;
+  const float t7 = 1.0f + t6;
+  const float t8 = (1.0f - t6) / t7;
+  const float t9 = t7 + t6;
+  const float t10 = (is_3 ? 0.0f : t0 / t4) * normal[0] + (is_3 ? 0.0f : t1 / t4) * normal[1];
+  const float t11 = 0.5f + 0.5f * (t10 + (is_3 ? 1.0f : radiance[2] / t4) * normal[2]);
+  const float t12 = t11 < 0.0f ? 0.0f : t11;
+  const float t13 = 1.0f < t12 ? 1.0f : t12;
+  const float t14 = t13 < 1.0842022e-19f ? 1.0842022e-19f : t13;
+  const bool is_15 = t14 < 2.3283064e-10f;
+  const float t16 = is_15 ? t14 * 4294967296.0f : t14;
+  const bool is_17 = t16 < 1.5258789e-05f;
+  const float t18 = is_17 ? t16 * 65536.0f : t16;
+  const bool is_19 = t18 < 0.00390625f;
+  const float t20 = is_19 ? t18 * 256.0f : t18;
+  const bool is_21 = t20 < 0.0625f;
+  const float t22 = is_21 ? t20 * 16.0f : t20;
+  const bool is_23 = t22 < 0.25f;
+  const float t24 = is_23 ? t22 * 4.0f : t22;
+  const bool is_25 = t24 < 0.5f;
+  const float t26 = is_25 ? t24 * 2.0f : t24;
+  const bool is_27 = t26 < 0.70710677f;
+  const float t28 = is_15 ? -32.0f : 0.0f;
+  const float t29 = is_17 ? t28 - 16.0f : t28;
+  const float t30 = is_19 ? t29 - 8.0f : t29;
+  const float t31 = is_21 ? t30 - 4.0f : t30;
+  const float t32 = is_23 ? t31 - 2.0f : t31;
+  const float t33 = is_25 ? t32 - 1.0f : t32;
+  const float t34 = is_27 ? t26 + t26 : t26;
+  const float t35 = (t34 - 1.0f) / (t34 + 1.0f);
+  const float t36 = t35 * t35;
+  const float t37 = (((0.11111111f * t36 + 0.14285715f) * t36 + 0.2f) * t36 + 0.33333334f) * t36;
+  const float t38 = t9 * ((is_27 ? t33 - 1.0f : t33) * 0.6931472f + (t35 + t35) * (t37 + 1.0f));
+  const float t39 = fabsf(t38);
+  const float t40 = 105.35837f < t39 ? 105.35837f : t39;
+  const bool is_41 = 64.0f <= t40;
+  const bool is_42 = t38 < 0.0f;
+  const float t43 = is_41 ? t40 - 64.0f : t40;
+  const bool is_44 = 32.0f <= t43;
+  const float t45 = is_44 ? t43 - 32.0f : t43;
+  const bool is_46 = 16.0f <= t45;
+  const float t47 = is_46 ? t45 - 16.0f : t45;
+  const bool is_48 = 8.0f <= t47;
+  const float t49 = is_48 ? t47 - 8.0f : t47;
+  const bool is_50 = 4.0f <= t49;
+  const float t51 = is_50 ? t49 - 4.0f : t49;
+  const bool is_52 = 2.0f <= t51;
+  const float t53 = is_52 ? t51 - 2.0f : t51;
+  const bool is_54 = 1.0f <= t53;
+  const float t55 = is_54 ? t53 - 1.0f : t53;
+  const bool is_56 = 0.5f <= t55;
+  const float t57 = is_56 ? t55 - 0.5f : t55;
+  const bool is_58 = 0.25f <= t57;
+  const float t59 = is_44 ? 1.2664166e-14f : 1.0f;
+  const float t60 = is_46 ? t59 * 1.12535176e-07f : t59;
+  const float t61 = is_48 ? t60 * 0.00033546262f : t60;
+  const float t62 = is_50 ? t61 * 0.01831564f : t61;
+  const float t63 = is_52 ? t62 * 0.13533528f : t62;
+  const float t64 = is_54 ? t63 * 0.36787945f : t63;
+  const float t65 = is_56 ? t64 * 0.60653067f : t64;
+  const float t66 = is_58 ? t57 - 0.25f : t57;
+  const float t67 = 0.16666667f - t66 * (0.041666668f - t66 * (0.008333334f - t66 * 0.0013888889f));
+  const float t68 = (is_58 ? t65 * 0.7788008f : t65) * (1.0f - t66 * (1.0f - t66 * (0.5f - t66 * t67)));
+  const float t69 = is_42 ? t68 : 1.0f / t68;
+  const float t70 = (1.0f - t8) * (t9 + 1.0f) * (is_41 ? t69 * (is_42 ? 1.6038109e-28f : 6.235149e+27f) : t69);
+  const float value = (radiance[0] < 0.0f ? 0.0f : radiance[0]) * 0.2820948f * (t8 + t70);
+  return value;
+}
+#endif
+
+#ifndef ZONAL_IRRADIANCE_NONLINEAR_COLOUR
+#define ZONAL_IRRADIANCE_NONLINEAR_COLOUR
+// Irradiance over pi of radiance of two bands, Geomerics' positive curve. For colours.
+// 471 operations: 129 additions, 123 multiplications, 21 divisions, 3 square roots, 195 comparisons and choices.
+ZONAL_FUNCTION void zonal_irradiance_nonlinear_colour(const float (&radiance)[4][3], const float (&normal)[3],
+    float (&value)[3]) {
+  const float t0 = -radiance[3][0];
+  const float t1 = -radiance[1][0];
+  const float t2 = t0 * t0 + t1 * t1 + radiance[2][0] * radiance[2][0];
+  const bool is_3 = t2 < 1e-30f;
+  const float t4 = sqrtf(t2 < 1e-30f ? 1e-30f : t2);
+  const float t5 = 0.57735026f * (is_3 ? 0.0f : t4) / (radiance[0][0] < 1e-30f ? 1e-30f : radiance[0][0]);
+  const float t6 = 1.0f < t5 ? 1.0f : t5;
+  const float t7 = 1.0f + t6;
+  const float t8 = (1.0f - t6) / t7;
+  const float t9 = t7 + t6;
+  const float t10 = (is_3 ? 0.0f : t0 / t4) * normal[0] + (is_3 ? 0.0f : t1 / t4) * normal[1];
+  const float t11 = 0.5f + 0.5f * (t10 + (is_3 ? 1.0f : radiance[2][0] / t4) * normal[2]);
+  const float t12 = t11 < 0.0f ? 0.0f : t11;
+  const float t13 = 1.0f < t12 ? 1.0f : t12;
+  const float t14 = t13 < 1.0842022e-19f ? 1.0842022e-19f : t13;
+  const bool is_15 = t14 < 2.3283064e-10f;
+  const float t16 = is_15 ? t14 * 4294967296.0f : t14;
+  const bool is_17 = t16 < 1.5258789e-05f;
+  const float t18 = is_17 ? t16 * 65536.0f : t16;
+  const bool is_19 = t18 < 0.00390625f;
+  const float t20 = is_19 ? t18 * 256.0f : t18;
+  const bool is_21 = t20 < 0.0625f;
+  const float t22 = is_21 ? t20 * 16.0f : t20;
+  const bool is_23 = t22 < 0.25f;
+  const float t24 = is_23 ? t22 * 4.0f : t22;
+  const bool is_25 = t24 < 0.5f;
+  const float t26 = is_25 ? t24 * 2.0f : t24;
+  const bool is_27 = t26 < 0.70710677f;
+  const float t28 = is_15 ? -32.0f : 0.0f;
+  const float t29 = is_17 ? t28 - 16.0f : t28;
+  const float t30 = is_19 ? t29 - 8.0f : t29;
+  const float t31 = is_21 ? t30 - 4.0f : t30;
+  const float t32 = is_23 ? t31 - 2.0f : t31;
+  const float t33 = is_25 ? t32 - 1.0f : t32;
+  const float t34 = is_27 ? t26 + t26 : t26;
+  const float t35 = (t34 - 1.0f) / (t34 + 1.0f);
+  const float t36 = t35 * t35;
+  const float t37 = (((0.11111111f * t36 + 0.14285715f) * t36 + 0.2f) * t36 + 0.33333334f) * t36;
+  const float t38 = t9 * ((is_27 ? t33 - 1.0f : t33) * 0.6931472f + (t35 + t35) * (t37 + 1.0f));
+  const float t39 = fabsf(t38);
+  const float t40 = 105.35837f < t39 ? 105.35837f : t39;
+  const bool is_41 = 64.0f <= t40;
+  const bool is_42 = t38 < 0.0f;
+  const float t43 = is_41 ? t40 - 64.0f : t40;
+  const bool is_44 = 32.0f <= t43;
+  const float t45 = is_44 ? t43 - 32.0f : t43;
+  const bool is_46 = 16.0f <= t45;
+  const float t47 = is_46 ? t45 - 16.0f : t45;
+  const bool is_48 = 8.0f <= t47;
+  const float t49 = is_48 ? t47 - 8.0f : t47;
+  const bool is_50 = 4.0f <= t49;
+  const float t51 = is_50 ? t49 - 4.0f : t49;
+  const bool is_52 = 2.0f <= t51;
+  const float t53 = is_52 ? t51 - 2.0f : t51;
+  const bool is_54 = 1.0f <= t53;
+  const float t55 = is_54 ? t53 - 1.0f : t53;
+  const bool is_56 = 0.5f <= t55;
+  const float t57 = is_56 ? t55 - 0.5f : t55;
+  const bool is_58 = 0.25f <= t57;
+  const float t59 = is_44 ? 1.2664166e-14f : 1.0f;
+  const float t60 = is_46 ? t59 * 1.12535176e-07f : t59;
+  const float t61 = is_48 ? t60 * 0.00033546262f : t60;
+  const float t62 = is_50 ? t61 * 0.01831564f : t61;
+  const float t63 = is_52 ? t62 * 0.13533528f : t62;
+  const float t64 = is_54 ? t63 * 0.36787945f : t63;
+  const float t65 = is_56 ? t64 * 0.60653067f : t64;
+  const float t66 = is_58 ? t57 - 0.25f : t57;
+  const float t67 = 0.16666667f - t66 * (0.041666668f - t66 * (0.008333334f - t66 * 0.0013888889f));
+  const float t68 = (is_58 ? t65 * 0.7788008f : t65) * (1.0f - t66 * (1.0f - t66 * (0.5f - t66 * t67)));
+  const float t69 = is_42 ? t68 : 1.0f / t68;
+  const float t70 = (1.0f - t8) * (t9 + 1.0f) * (is_41 ? t69 * (is_42 ? 1.6038109e-28f : 6.235149e+27f) : t69);
+  const float t71 = (radiance[0][0] < 0.0f ? 0.0f : radiance[0][0]) * 0.2820948f * (t8 + t70);
+  value[0] = t71;
+  const float t72 = -radiance[3][1];
+  const float t73 = -radiance[1][1];
+  const float t74 = t72 * t72 + t73 * t73 + radiance[2][1] * radiance[2][1];
+  const bool is_75 = t74 < 1e-30f;
+  const float t76 = sqrtf(t74 < 1e-30f ? 1e-30f : t74);
+  const float t77 = 0.57735026f * (is_75 ? 0.0f : t76) / (radiance[0][1] < 1e-30f ? 1e-30f : radiance[0][1]);
+  const float t78 = 1.0f < t77 ? 1.0f : t77;
+  const float t79 = 1.0f + t78;
+  const float t80 = (1.0f - t78) / t79;
+  const float t81 = t79 + t78;
+  const float t82 = (is_75 ? 0.0f : t72 / t76) * normal[0] + (is_75 ? 0.0f : t73 / t76) * normal[1];
+  const float t83 = 0.5f + 0.5f * (t82 + (is_75 ? 1.0f : radiance[2][1] / t76) * normal[2]);
+  const float t84 = t83 < 0.0f ? 0.0f : t83;
+  const float t85 = 1.0f < t84 ? 1.0f : t84;
+  const float t86 = t85 < 1.0842022e-19f ? 1.0842022e-19f : t85;
+  const bool is_87 = t86 < 2.3283064e-10f;
+  const float t88 = is_87 ? t86 * 4294967296.0f : t86;
+  const bool is_89 = t88 < 1.5258789e-05f;
+  const float t90 = is_89 ? t88 * 65536.0f : t88;
+  const bool is_91 = t90 < 0.00390625f;
+  const float t92 = is_91 ? t90 * 256.0f : t90;
+  const bool is_93 = t92 < 0.0625f;
+  const float t94 = is_93 ? t92 * 16.0f : t92;
+  const bool is_95 = t94 < 0.25f;
+  const float t96 = is_95 ? t94 * 4.0f : t94;
+  const bool is_97 = t96 < 0.5f;
+  const float t98 = is_97 ? t96 * 2.0f : t96;
+  const bool is_99 = t98 < 0.70710677f;
+  const float t100 = is_87 ? -32.0f : 0.0f;
+  const float t101 = is_89 ? t100 - 16.0f : t100;
+  const float t102 = is_91 ? t101 - 8.0f : t101;
+  const float t103 = is_93 ? t102 - 4.0f : t102;
+  const float t104 = is_95 ? t103 - 2.0f : t103;
+  const float t105 = is_97 ? t104 - 1.0f : t104;
+  const float t106 = is_99 ? t98 + t98 : t98;
+  const float t107 = (t106 - 1.0f) / (t106 + 1.0f);
+  const float t108 = t107 * t107;
+  const float t109 = (((0.11111111f * t108 + 0.14285715f) * t108 + 0.2f) * t108 + 0.33333334f) * t108;
+  const float t110 = (is_99 ? t105 - 1.0f : t105) * 0.6931472f + (t107 + t107) * (t109 + 1.0f);
+  const float t111 = t81 * t110;
+  const float t112 = fabsf(t111);
+  const float t113 = 105.35837f < t112 ? 105.35837f : t112;
+  const bool is_114 = 64.0f <= t113;
+  const bool is_115 = t111 < 0.0f;
+  const float t116 = is_114 ? t113 - 64.0f : t113;
+  const bool is_117 = 32.0f <= t116;
+  const float t118 = is_117 ? t116 - 32.0f : t116;
+  const bool is_119 = 16.0f <= t118;
+  const float t120 = is_119 ? t118 - 16.0f : t118;
+  const bool is_121 = 8.0f <= t120;
+  const float t122 = is_121 ? t120 - 8.0f : t120;
+  const bool is_123 = 4.0f <= t122;
+  const float t124 = is_123 ? t122 - 4.0f : t122;
+  const bool is_125 = 2.0f <= t124;
+  const float t126 = is_125 ? t124 - 2.0f : t124;
+  const bool is_127 = 1.0f <= t126;
+  const float t128 = is_127 ? t126 - 1.0f : t126;
+  const bool is_129 = 0.5f <= t128;
+  const float t130 = is_129 ? t128 - 0.5f : t128;
+  const bool is_131 = 0.25f <= t130;
+  const float t132 = is_117 ? 1.2664166e-14f : 1.0f;
+  const float t133 = is_119 ? t132 * 1.12535176e-07f : t132;
+  const float t134 = is_121 ? t133 * 0.00033546262f : t133;
+  const float t135 = is_123 ? t134 * 0.01831564f : t134;
+  const float t136 = is_125 ? t135 * 0.13533528f : t135;
+  const float t137 = is_127 ? t136 * 0.36787945f : t136;
+  const float t138 = is_129 ? t137 * 0.60653067f : t137;
+  const float t139 = is_131 ? t130 - 0.25f : t130;
+  const float t140 = 0.16666667f - t139 * (0.041666668f - t139 * (0.008333334f - t139 * 0.0013888889f));
+  const float t141 = (is_131 ? t138 * 0.7788008f : t138) * (1.0f - t139 * (1.0f - t139 * (0.5f - t139 * t140)));
+  const float t142 = is_115 ? t141 : 1.0f / t141;
+  const float t143 = (1.0f - t80) * (t81 + 1.0f) * (is_114 ? t142 * (is_115 ? 1.6038109e-28f : 6.235149e+27f) : t142);
+  const float t144 = (radiance[0][1] < 0.0f ? 0.0f : radiance[0][1]) * 0.2820948f * (t80 + t143);
+  value[1] = t144;
+  const float t145 = -radiance[3][2];
+  const float t146 = -radiance[1][2];
+  const float t147 = t145 * t145 + t146 * t146 + radiance[2][2] * radiance[2][2];
+  const bool is_148 = t147 < 1e-30f;
+  const float t149 = sqrtf(t147 < 1e-30f ? 1e-30f : t147);
+  const float t150 = 0.57735026f * (is_148 ? 0.0f : t149) / (radiance[0][2] < 1e-30f ? 1e-30f : radiance[0][2]);
+  const float t151 = 1.0f < t150 ? 1.0f : t150;
+  const float t152 = 1.0f + t151;
+  const float t153 = (1.0f - t151) / t152;
+  const float t154 = t152 + t151;
+  const float t155 = (is_148 ? 0.0f : t145 / t149) * normal[0] + (is_148 ? 0.0f : t146 / t149) * normal[1];
+  const float t156 = 0.5f + 0.5f * (t155 + (is_148 ? 1.0f : radiance[2][2] / t149) * normal[2]);
+  const float t157 = t156 < 0.0f ? 0.0f : t156;
+  const float t158 = 1.0f < t157 ? 1.0f : t157;
+  const float t159 = t158 < 1.0842022e-19f ? 1.0842022e-19f : t158;
+  const bool is_160 = t159 < 2.3283064e-10f;
+  const float t161 = is_160 ? t159 * 4294967296.0f : t159;
+  const bool is_162 = t161 < 1.5258789e-05f;
+  const float t163 = is_162 ? t161 * 65536.0f : t161;
+  const bool is_164 = t163 < 0.00390625f;
+  const float t165 = is_164 ? t163 * 256.0f : t163;
+  const bool is_166 = t165 < 0.0625f;
+  const float t167 = is_166 ? t165 * 16.0f : t165;
+  const bool is_168 = t167 < 0.25f;
+  const float t169 = is_168 ? t167 * 4.0f : t167;
+  const bool is_170 = t169 < 0.5f;
+  const float t171 = is_170 ? t169 * 2.0f : t169;
+  const bool is_172 = t171 < 0.70710677f;
+  const float t173 = is_160 ? -32.0f : 0.0f;
+  const float t174 = is_162 ? t173 - 16.0f : t173;
+  const float t175 = is_164 ? t174 - 8.0f : t174;
+  const float t176 = is_166 ? t175 - 4.0f : t175;
+  const float t177 = is_168 ? t176 - 2.0f : t176;
+  const float t178 = is_170 ? t177 - 1.0f : t177;
+  const float t179 = is_172 ? t171 + t171 : t171;
+  const float t180 = (t179 - 1.0f) / (t179 + 1.0f);
+  const float t181 = t180 * t180;
+  const float t182 = (((0.11111111f * t181 + 0.14285715f) * t181 + 0.2f) * t181 + 0.33333334f) * t181;
+  const float t183 = (is_172 ? t178 - 1.0f : t178) * 0.6931472f + (t180 + t180) * (t182 + 1.0f);
+  const float t184 = t154 * t183;
+  const float t185 = fabsf(t184);
+  const float t186 = 105.35837f < t185 ? 105.35837f : t185;
+  const bool is_187 = 64.0f <= t186;
+  const bool is_188 = t184 < 0.0f;
+  const float t189 = is_187 ? t186 - 64.0f : t186;
+  const bool is_190 = 32.0f <= t189;
+  const float t191 = is_190 ? t189 - 32.0f : t189;
+  const bool is_192 = 16.0f <= t191;
+  const float t193 = is_192 ? t191 - 16.0f : t191;
+  const bool is_194 = 8.0f <= t193;
+  const float t195 = is_194 ? t193 - 8.0f : t193;
+  const bool is_196 = 4.0f <= t195;
+  const float t197 = is_196 ? t195 - 4.0f : t195;
+  const bool is_198 = 2.0f <= t197;
+  const float t199 = is_198 ? t197 - 2.0f : t197;
+  const bool is_200 = 1.0f <= t199;
+  const float t201 = is_200 ? t199 - 1.0f : t199;
+  const bool is_202 = 0.5f <= t201;
+  const float t203 = is_202 ? t201 - 0.5f : t201;
+  const bool is_204 = 0.25f <= t203;
+  const float t205 = is_190 ? 1.2664166e-14f : 1.0f;
+  const float t206 = is_192 ? t205 * 1.12535176e-07f : t205;
+  const float t207 = is_194 ? t206 * 0.00033546262f : t206;
+  const float t208 = is_196 ? t207 * 0.01831564f : t207;
+  const float t209 = is_198 ? t208 * 0.13533528f : t208;
+  const float t210 = is_200 ? t209 * 0.36787945f : t209;
+  const float t211 = is_202 ? t210 * 0.60653067f : t210;
+  const float t212 = is_204 ? t203 - 0.25f : t203;
+  const float t213 = 0.16666667f - t212 * (0.041666668f - t212 * (0.008333334f - t212 * 0.0013888889f));
+  const float t214 = (is_204 ? t211 * 0.7788008f : t211) * (1.0f - t212 * (1.0f - t212 * (0.5f - t212 * t213)));
+  const float t215 = is_188 ? t214 : 1.0f / t214;
+  const float t216 = (1.0f - t153) * (t154 + 1.0f) * (is_187 ? t215 * (is_188 ? 1.6038109e-28f : 6.235149e+27f) : t215);
+  const float t217 = (radiance[0][2] < 0.0f ? 0.0f : radiance[0][2]) * 0.2820948f * (t153 + t216);
+  value[2] = t217;
+}
+#endif
+
+#ifndef ZONAL_IRRADIANCE_SIX_FLOATS
+#define ZONAL_IRRADIANCE_SIX_FLOATS
+// Irradiance over pi, RGB, of luminance on two bands with Co and Cg.
+// 24 operations: 7 additions, 11 multiplications, 1 divisions, 0 square roots, 5 comparisons and choices.
+ZONAL_FUNCTION void zonal_irradiance_six_floats(const float (&luminance)[4], float co, float cg,
+    const float (&normal)[3], float (&colour)[3]) {
+  const float t0 = luminance[2] * (0.48860252f * normal[2]) + luminance[1] * (-0.48860252f * normal[1]);
+  const float t1 = luminance[0] * 0.2820948f + (t0 + luminance[3] * (-0.48860252f * normal[0])) * 0.6666667f;
+  const float t2 = t1 < 0.0f ? 0.0f : t1;
+  const float t3 = 0.5f * (t2 / (luminance[0] < 1e-30f ? 1e-30f : luminance[0]));
+  const float t4 = t3 * cg;
+  const float t5 = t2 - t4;
+  const float t6 = t3 * co;
+  const float t7 = t5 + t6;
+  colour[0] = t7 < 0.0f ? 0.0f : t7;
+  const float t8 = t2 + t4;
+  colour[1] = t8 < 0.0f ? 0.0f : t8;
+  const float t9 = t5 - t6;
+  colour[2] = t9 < 0.0f ? 0.0f : t9;
+}
+#endif
+
+#ifndef ZONAL_IRRADIANCE_SIX_FLOATS_NONLINEAR
+#define ZONAL_IRRADIANCE_SIX_FLOATS_NONLINEAR
+// The same by Geomerics' positive curve.
+// 168 operations: 47 additions, 44 multiplications, 8 divisions, 1 square roots, 68 comparisons and choices.
+ZONAL_FUNCTION void zonal_irradiance_six_floats_nonlinear(const float (&luminance)[4], float co, float cg,
+    const float (&normal)[3], float (&colour)[3]) {
+  const float t0 = -luminance[3];
+  const float t1 = -luminance[1];
+  const float t2 = t0 * t0 + t1 * t1 + luminance[2] * luminance[2];
+  const bool is_3 = t2 < 1e-30f;
+  const float t4 = sqrtf(t2 < 1e-30f ? 1e-30f : t2);
+  const float t5 = luminance[0] < 1e-30f ? 1e-30f : luminance[0];
+  const float t6 = 0.57735026f * (is_3 ? 0.0f : t4) / t5;
+  const float t7 = 1.0f < t6 ? 1.0f : t6;
+  const float t8 = 1.0f + t7;
+  const float t9 = (1.0f - t7) / t8;
+  const float t10 = t8 + t7;
+  const float t11 = (is_3 ? 0.0f : t0 / t4) * normal[0] + (is_3 ? 0.0f : t1 / t4) * normal[1];
+  const float t12 = 0.5f + 0.5f * (t11 + (is_3 ? 1.0f : luminance[2] / t4) * normal[2]);
+  const float t13 = t12 < 0.0f ? 0.0f : t12;
+  const float t14 = 1.0f < t13 ? 1.0f : t13;
+  const float t15 = t14 < 1.0842022e-19f ? 1.0842022e-19f : t14;
+  const bool is_16 = t15 < 2.3283064e-10f;
+  const float t17 = is_16 ? t15 * 4294967296.0f : t15;
+  const bool is_18 = t17 < 1.5258789e-05f;
+  const float t19 = is_18 ? t17 * 65536.0f : t17;
+  const bool is_20 = t19 < 0.00390625f;
+  const float t21 = is_20 ? t19 * 256.0f : t19;
+  const bool is_22 = t21 < 0.0625f;
+  const float t23 = is_22 ? t21 * 16.0f : t21;
+  const bool is_24 = t23 < 0.25f;
+  const float t25 = is_24 ? t23 * 4.0f : t23;
+  const bool is_26 = t25 < 0.5f;
+  const float t27 = is_26 ? t25 * 2.0f : t25;
+  const bool is_28 = t27 < 0.70710677f;
+  const float t29 = is_16 ? -32.0f : 0.0f;
+  const float t30 = is_18 ? t29 - 16.0f : t29;
+  const float t31 = is_20 ? t30 - 8.0f : t30;
+  const float t32 = is_22 ? t31 - 4.0f : t31;
+  const float t33 = is_24 ? t32 - 2.0f : t32;
+  const float t34 = is_26 ? t33 - 1.0f : t33;
+  const float t35 = is_28 ? t27 + t27 : t27;
+  const float t36 = (t35 - 1.0f) / (t35 + 1.0f);
+  const float t37 = t36 * t36;
+  const float t38 = (((0.11111111f * t37 + 0.14285715f) * t37 + 0.2f) * t37 + 0.33333334f) * t37;
+  const float t39 = t10 * ((is_28 ? t34 - 1.0f : t34) * 0.6931472f + (t36 + t36) * (t38 + 1.0f));
+  const float t40 = fabsf(t39);
+  const float t41 = 105.35837f < t40 ? 105.35837f : t40;
+  const bool is_42 = 64.0f <= t41;
+  const bool is_43 = t39 < 0.0f;
+  const float t44 = is_42 ? t41 - 64.0f : t41;
+  const bool is_45 = 32.0f <= t44;
+  const float t46 = is_45 ? t44 - 32.0f : t44;
+  const bool is_47 = 16.0f <= t46;
+  const float t48 = is_47 ? t46 - 16.0f : t46;
+  const bool is_49 = 8.0f <= t48;
+  const float t50 = is_49 ? t48 - 8.0f : t48;
+  const bool is_51 = 4.0f <= t50;
+  const float t52 = is_51 ? t50 - 4.0f : t50;
+  const bool is_53 = 2.0f <= t52;
+  const float t54 = is_53 ? t52 - 2.0f : t52;
+  const bool is_55 = 1.0f <= t54;
+  const float t56 = is_55 ? t54 - 1.0f : t54;
+  const bool is_57 = 0.5f <= t56;
+  const float t58 = is_57 ? t56 - 0.5f : t56;
+  const bool is_59 = 0.25f <= t58;
+  const float t60 = is_45 ? 1.2664166e-14f : 1.0f;
+  const float t61 = is_47 ? t60 * 1.12535176e-07f : t60;
+  const float t62 = is_49 ? t61 * 0.00033546262f : t61;
+  const float t63 = is_51 ? t62 * 0.01831564f : t62;
+  const float t64 = is_53 ? t63 * 0.13533528f : t63;
+  const float t65 = is_55 ? t64 * 0.36787945f : t64;
+  const float t66 = is_57 ? t65 * 0.60653067f : t65;
+  const float t67 = is_59 ? t58 - 0.25f : t58;
+  const float t68 = 0.16666667f - t67 * (0.041666668f - t67 * (0.008333334f - t67 * 0.0013888889f));
+  const float t69 = (is_59 ? t66 * 0.7788008f : t66) * (1.0f - t67 * (1.0f - t67 * (0.5f - t67 * t68)));
+  const float t70 = is_43 ? t69 : 1.0f / t69;
+  const float t71 = (1.0f - t9) * (t10 + 1.0f) * (is_42 ? t70 * (is_43 ? 1.6038109e-28f : 6.235149e+27f) : t70);
+  const float t72 = (luminance[0] < 0.0f ? 0.0f : luminance[0]) * 0.2820948f * (t9 + t71);
+  const float t73 = 0.5f * (t72 / t5);
+  const float t74 = t73 * cg;
+  const float t75 = t72 - t74;
+  const float t76 = t73 * co;
+  const float t77 = t75 + t76;
+  colour[0] = t77 < 0.0f ? 0.0f : t77;
+  const float t78 = t72 + t74;
+  colour[1] = t78 < 0.0f ? 0.0f : t78;
+  const float t79 = t75 - t76;
+  colour[2] = t79 < 0.0f ? 0.0f : t79;
+}
+#endif
+
+#ifndef ZONAL_IRRADIANCE_BYTES_2
+#define ZONAL_IRRADIANCE_BYTES_2
+// Irradiance over pi of radiance that stands as whole numbers -127 to 127 times one scale.
+// 12 operations: 3 additions, 9 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+ZONAL_FUNCTION float zonal_irradiance_bytes_2(float scale, const float (&stored)[4], const float (&normal)[3]) {
+  const float t0 = stored[2] * (0.48860252f * normal[2]) + stored[1] * (-0.48860252f * normal[1]);
+  const float t1 = stored[0] * 0.2820948f + 0.6666667f * (t0 + stored[3] * (-0.48860252f * normal[0]));
+  const float value = scale * t1;
+  return value;
+}
+#endif
+
+#ifndef ZONAL_IRRADIANCE_BYTES_3
+#define ZONAL_IRRADIANCE_BYTES_3
+// Irradiance over pi of radiance that stands as whole numbers -127 to 127 times one scale.
+// 36 operations: 11 additions, 25 multiplications, 0 divisions, 0 square roots, 0 comparisons and choices.
+ZONAL_FUNCTION float zonal_irradiance_bytes_3(float scale, const float (&stored)[9], const float (&normal)[3]) {
+  const float t0 = stored[2] * (0.48860252f * normal[2]) + stored[1] * (-0.48860252f * normal[1]);
+  const float t1 = stored[0] * 0.2820948f + 0.6666667f * (t0 + stored[3] * (-0.48860252f * normal[0]));
+  const float t2 = -1.0925485f * normal[2];
+  const float t3 = stored[6] * (0.9461747f * (normal[2] * normal[2]) + -0.31539157f) + stored[5] * (t2 * normal[1]);
+  const float t4 = normal[1] * normal[0];
+  const float t5 = t3 + stored[7] * (t2 * normal[0]) + stored[4] * (0.54627424f * (t4 + t4));
+  const float t6 = stored[8] * (0.54627424f * (normal[0] * normal[0] - normal[1] * normal[1]));
+  const float value = scale * (t1 + 0.25f * (t5 + t6));
   return value;
 }
 #endif

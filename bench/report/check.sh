@@ -51,11 +51,18 @@ part stiff plot,form,x,y '
   $1 == "solid_angle" && $2 == "corners" { corners = $4 > corners ? $4 : corners }
   $2 == "cap" && $1 == "degree" && $4 > 1e-6 { fail("error") }
   END { if (corners < 0.1) fail("from its corners a far triangle is as exact") }'
+part probe environment,source,form,bytes,rmse,greatest,least '
+  $6 < $5 { fail("the greatest error is below their mean") }
+  $3 == "3 bands; floats" && $5 > 0.08 { fail("error") }
+  $3 ~ /non-linear/ && $7 < 0 { fail("negative") }
+  { error[$1, $3] = $5 }
+  $3 == "ZH3; projected" && error[$1, "ZH3; solved"] > 1.05 * $5 { fail("no better when solved") }
+  $3 == "3 bands; halves" && $5 > 1.01 * error[$1, "3 bands; floats"] + 1e-3 { fail("halves") }'
 "$program" machine | grep -q '^processor,..*' || { echo "machine: no processor"; exit 1; }
 
 if /usr/bin/python3 -c 'import matplotlib' 2>/dev/null; then
   /usr/bin/python3 "$script" plot "$folder"
-  for name in evaluation interpolation triangles stiff materials furnace; do
+  for name in evaluation interpolation triangles stiff materials furnace probe; do
     grep -q "($name.svg)" "$folder/README.md" && grep -q '</svg>' "$folder/$name.svg" || { echo "no $name.svg"; exit 1; }
   done
 fi

@@ -1,5 +1,5 @@
 // zonal-report-data PART [--quick|--full]
-//   evaluation, interpolation, triangles, materials, furnace, stiff    that part's data, CSV on standard output
+//   evaluation, interpolation, triangles, materials, furnace, stiff, probe    that part's data, CSV on standard output
 //   machine                                                     what it was measured on
 // zonal-report-data merl FOLDER                                 writes files in MERL's format there
 #include <cstdio>
@@ -21,18 +21,16 @@ struct Part {
   void (*print)(Effort);
 };
 constexpr Part parts[] = {
-    {"evaluation", zonal_report::print_evaluation},
-    {"interpolation", zonal_report::print_interpolation},
-    {"triangles", zonal_report::print_triangles},
-    {"materials", zonal_report::print_materials},
-    {"furnace", zonal_report::print_furnace},
-    {"stiff", zonal_report::print_stiff},
-    {"machine", [](Effort) { zonal_report::print_machine(); }},
+    {"evaluation", zonal_report::print_evaluation}, {"interpolation", zonal_report::print_interpolation},
+    {"triangles", zonal_report::print_triangles},   {"materials", zonal_report::print_materials},
+    {"furnace", zonal_report::print_furnace},       {"stiff", zonal_report::print_stiff},
+    {"probe", zonal_report::print_probe},           {"machine", [](Effort) { zonal_report::print_machine(); }},
 };
 
 int usage() {
   std::fputs(
-      "usage: zonal-report-data evaluation|interpolation|triangles|materials|furnace|stiff|machine [--quick|--full]\n"
+      "usage: zonal-report-data evaluation|interpolation|triangles|materials|furnace|stiff|probe|machine "
+      "[--quick|--full]\n"
       "       zonal-report-data merl FOLDER\n",
       stderr);
   return 2;

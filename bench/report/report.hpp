@@ -28,6 +28,7 @@ void print_triangles(Effort effort);
 void print_materials(Effort effort);
 void print_furnace(Effort effort);
 void print_stiff(Effort effort);
+void print_probe(Effort effort);
 void print_machine();
 
 /// Writes three materials, made of models, in the format of the MERL database: FOLDER/NAME.binary.

@@ -27,9 +27,11 @@ class HelpFormatter : public CLI::Formatter {
   static std::string wrapped(std::string text) {
     std::string lines;
     while (text.size() > text_width) {
-      const std::size_t end = text.rfind(' ', text_width);
+      const std::size_t blank = text.rfind(' ', text_width);
+      const bool is_one_word = blank == std::string::npos;
+      const std::size_t end = is_one_word ? text_width : blank;
       lines += text.substr(0, end) + line_break();
-      text.erase(0, end + 1);
+      text.erase(0, is_one_word ? end : end + 1);
     }
     return lines + text;
   }

@@ -83,6 +83,8 @@ std::vector<float> floats_of(const StbPicture<Sample>& picture, const Value& val
   return floats;
 }
 
+bool is_exr(const std::filesystem::path& path) { return path.extension() == ".exr" || path.extension() == ".EXR"; }
+
 const std::vector<const char*> colour_channels{"R", "G", "B"}, grey_channel{"Y"}, chroma_channels{"RY", "BY"};
 
 /// The frame buffer that OpenEXR reads from and writes to, for an image whose first pixel is `origin`. names: the
@@ -177,7 +179,7 @@ std::string exr_bytes(const Image& radiance) {
 }
 
 std::string picture_bytes(const std::filesystem::path& path, const Image& radiance, const Display& display) {
-  return path.extension() == ".exr" ? exr_bytes(radiance) : png_bytes(encode(radiance, display));
+  return is_exr(path) ? exr_bytes(radiance) : png_bytes(encode(radiance, display));
 }
 
 Image read_exr(const std::filesystem::path& path, std::int64_t most_pixels) {
@@ -198,7 +200,7 @@ Image read_exr(const std::filesystem::path& path, std::int64_t most_pixels) {
 }
 
 Image read_picture(const std::filesystem::path& path, std::int64_t most_pixels) {
-  if (path.extension() == ".exr") return read_exr(path, most_pixels);
+  if (is_exr(path)) return read_exr(path, most_pixels);
   check_is_file(path);
   const std::string name = path.string();
   if (stbi_is_hdr(name.c_str()) != 0) {
@@ -208,8 +210,12 @@ Image read_picture(const std::filesystem::path& path, std::int64_t most_pixels) 
                   [](const glm::vec3& bytes) { return decode_srgb(bytes / 255.0f); });
 }
 
+bool is_encoded_for_display(const std::filesystem::path& path) {
+  return !is_exr(path) && stbi_is_hdr(path.string().c_str()) == 0;
+}
+
 Texture read_texture(const std::filesystem::path& path, TextureUse use, std::int64_t most_pixels) {
-  if (path.extension() == ".exr") {
+  if (is_exr(path)) {
     Image image = read_exr(path, most_pixels);
     blacken_non_finite(image);
     std::vector<float> linear;

@@ -27,6 +27,9 @@ Image read_exr(const std::filesystem::path& path, std::int64_t most_pixels = mos
 /// EXR by its extension; else what stb_image reads, PNG, JPEG and HDR among it. Linear radiance. Throws InputError.
 Image read_picture(const std::filesystem::path& path, std::int64_t most_pixels = most_picture_pixels);
 
+/// Does read_picture decode it from 8 bits of sRGB? Else it is linear as it stands.
+bool is_encoded_for_display(const std::filesystem::path& path);
+
 /// The same files as a texture: 8 bits stay 8 bits, grey stays one channel, alpha is left out, and what is no number is
 /// 0. Throws InputError.
 Texture read_texture(const std::filesystem::path& path, TextureUse use, std::int64_t most_pixels = most_picture_pixels);

@@ -2,15 +2,22 @@
 //   ZONAL_WRITE_DOCUMENTS=1 build/release/tests/test_documents
 #include <zonal/kernels/kernel_list.hpp>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "../accuracy_document.hpp"
 #include "../catch.hpp"
+#include "public_functions.hpp"
 
 namespace {
 
@@ -19,6 +26,14 @@ using zonal::accuracy::kAnyScalar;
 using zonal::accuracy::kFunctions;
 using zonal::accuracy::kKernels;
 using zonal::accuracy::kOfManyBands;
+using zonal::accuracy::kOverData;
+
+std::vector<std::string> split(std::string_view list, char at) {
+  std::vector<std::string> parts;
+  std::istringstream text{std::string(list)};
+  for (std::string part; std::getline(text, part, at);) parts.push_back(part);
+  return parts;
+}
 
 // Those for colours run the others three times.
 template <class Visit>
@@ -60,16 +75,122 @@ std::string accuracy_document() {
           "half of the directions at a sine of 1 down to the least normal number:\n\n"
        << accuracy_columns;
   for (const Accuracy& row : kOfManyBands) text << accuracy_row(row, "");
-  text << "\nOther functions. Not listed are those that run these over data: gathers, sums of grids, pictures, fields "
-          "and\n"
-          "screens, fits, plans and files. Their results hang on the data; the tests of their rooms set them against\n"
-          "definitions and references.\n\n"
-       << accuracy_columns;
+  text << "\nOther functions:\n\n" << accuracy_columns;
   for (const Accuracy& row : kFunctions) text << accuracy_row(row, "");
+  text << "\nFunctions over data: sums over lights and texels, lookups, fits. Their errors come of the rows above and "
+          "of "
+          "sums, and\n"
+          "hang on the data: none is proved; the tests of their rooms measure them on what the range names.\n\n"
+       << accuracy_columns;
+  for (const Accuracy& row : kOverData) text << accuracy_row(row, "");
+  text << "\nEvery public function, and where it stands above, or why it does not. Classes are not among them, but for "
+          "those with\n"
+          "rows of their own.\n\n| room | functions | rows, or why there is none |\n| --- | --- | --- |\n";
+  for (const Covered& covered : kCovered) {
+    text << "| " << covered.room << " | `";
+    for (const std::string& name : split(covered.functions, ' ')) {
+      if (name != split(covered.functions, ' ').front()) text << "`, `";
+      text << name;
+    }
+    text << "` | ";
+    for (const std::string& row : split(covered.rows, ';')) {
+      if (row != split(covered.rows, ';').front()) text << "; ";
+      text << row;
+    }
+    text << covered.why << " |\n";
+  }
   return text.str();
 }
 
+using Name = std::pair<std::string, std::string>;  // room, function
+
+bool starts_with(const std::string& text, std::string_view start) { return text.rfind(start, 0) == 0; }
+
+/// The name that a declaration declares at the beginning of a line, as clang-format leaves it; empty where it is none
+/// of a function.
+std::string declared_function(const std::string& line) {
+  if (line.empty() || std::isspace(static_cast<unsigned char>(line[0])) != 0) return "";
+  for (const std::string_view other :
+       {"#", "}", "/", "template", "namespace", "inline namespace", "struct", "class", "using", "enum", "static_assert",
+        "extern", "friend", "public", "private", "decltype"}) {
+    if (starts_with(line, other)) return "";
+  }
+  const std::size_t end = line.find('(');
+  if (end == std::string::npos || line.find_first_of("={") < end || line.find("//") < end) return "";
+  std::size_t begin = end;
+  const auto is_of_name = [](char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; };
+  while (begin > 0 && is_of_name(line[begin - 1])) --begin;
+  const bool is_name = begin < end && (std::islower(static_cast<unsigned char>(line[begin])) != 0);
+  return is_name ? line.substr(begin, end - begin) : "";
+}
+
+/// Those that the headers declare outside of the namespace detail.
+std::set<Name> public_functions() {
+  namespace fs = std::filesystem;
+  std::set<Name> names;
+  for (const auto& entry : fs::recursive_directory_iterator(ZONAL_SOURCE "/include/zonal")) {
+    const std::string room = entry.path().parent_path().filename().string();
+    if (entry.path().extension() != ".hpp" || room == "zonal") continue;
+    std::ifstream file(entry.path());
+    std::vector<std::string> within;
+    for (std::string line; std::getline(file, line);) {
+      const std::size_t at = line.find("namespace ");
+      if (starts_with(line, "}  // namespace")) {
+        within.pop_back();
+      } else if (at == 0 || starts_with(line, "inline namespace ")) {
+        const std::size_t first = at + std::string_view("namespace ").size();
+        within.push_back(line.substr(first, line.find(' ', first) - first));
+      } else if (std::none_of(within.begin(), within.end(),
+                              [](const std::string& name) { return starts_with(name, "detail"); })) {
+        const std::string function = declared_function(line);
+        const bool is_reference = std::find(within.begin(), within.end(), "reference") != within.end();
+        if (!function.empty()) names.emplace(room, (is_reference ? "reference::" : "") + function);
+      }
+    }
+  }
+  return names;
+}
+
+template <class Rows>
+void append_names(const Rows& rows, std::set<Name>& names) {
+  for (const Accuracy& row : rows) names.emplace(row.room, row.function);
+}
+
 }  // namespace
+
+TEST_CASE("Every public function has a row in the table of accuracy, or a reason to have none") {
+  std::set<Name> rows;
+  append_names(kKernels, rows);
+  append_names(kFunctions, rows);
+  append_names(kOfManyBands, rows);
+  append_names(kOverData, rows);
+  const auto has_row = [&](const std::string& name) {
+    return std::any_of(rows.begin(), rows.end(), [&](const Name& row) { return row.second == name; });
+  };
+  std::set<Name> covered;
+  for (const Covered& entry : kCovered) {
+    CAPTURE(entry.room, entry.functions);
+    CHECK(entry.rows.empty() != entry.why.empty());
+    for (const std::string& row : split(entry.rows, ';')) {
+      CAPTURE(row);
+      CHECK(has_row(row));
+    }
+    for (const std::string& function : split(entry.functions, ' ')) {
+      CAPTURE(function);
+      CHECK(covered.emplace(entry.room, function).second);  // once
+    }
+  }
+  const std::set<Name> declared = public_functions();
+  CHECK(declared.size() > 200);
+  for (const Name& name : declared) {
+    CAPTURE(name.first, name.second);
+    CHECK(covered.count(name) == 1);
+  }
+  for (const Name& name : covered) {
+    CAPTURE(name.first, name.second);
+    CHECK(declared.count(name) == 1);
+  }
+}
 
 TEST_CASE("docs/accuracy.md is the table that the tests check") {
   const std::string path = ZONAL_DOCUMENTS "/accuracy.md";

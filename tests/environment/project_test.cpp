@@ -1,4 +1,5 @@
 // Projections of pictures against the plain sum over texels.
+#include "accuracy.hpp"
 #include "catch.hpp"
 
 #include <algorithm>
@@ -68,6 +69,7 @@ double difference(const zonal::Sh<N, A>& a, const zonal::Sh<N, B>& b) {
 
 template <int N>
 void check_against_plain_sum() {
+  Met met("environment", "project");
   for (int i = 0; i < zonal::kMappingCount; ++i) {
     const auto mapping = Mapping(i);
     for (const int size : {1, 2, 3, 8, 37, 70}) {
@@ -79,11 +81,12 @@ void check_against_plain_sum() {
           if (!(plain[0][0] > 0)) continue;  // all of it was beside the disc
           const auto fast = zonal::project<N>(environment, zonal::SerialForEach{}, nullptr, rule);
           CAPTURE(N, zonal::mapping_name(mapping), owned.width, owned.height, sunny, int(rule));
-          CHECK(difference(fast, plain) < 2e-6);
+          CHECK(met.meet(difference(fast, plain)));
         }
       }
     }
   }
+  CHECK_MET(met);
 }
 
 }  // namespace

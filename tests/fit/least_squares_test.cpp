@@ -12,6 +12,7 @@
 #include <random>
 #include <vector>
 
+#include "../accuracy.hpp"
 #include "../catch.hpp"
 
 namespace {
@@ -121,6 +122,7 @@ struct Colour {
 }  // namespace
 
 TEST_CASE("fit: a function of N bands is found again, from as many samples as unknowns or more, in any channel") {
+  Met met("fit", "fit_samples");
   std::mt19937 random(1);
   for (const int count : {N * N, 40, 1000}) {
     const Sh sh = random_function(random);
@@ -131,9 +133,10 @@ TEST_CASE("fit: a function of N bands is found again, from as many samples as un
     CHECK(found.used == std::size_t(count));
     CHECK(found.left_out == 0);
     // Relative to the function: 2.3e-15 times the condition is the worst of 600 draws by SSE2, AVX2 and AVX-512 each.
-    CHECK(distance(found.sh, sh) <= 3e-15 * found.condition * distance(sh, Sh{}));
+    CHECK(met.meet(distance(found.sh, sh) / (found.condition * distance(sh, Sh{}))));
     CHECK(found.residuals[0] <= 1e-14);
   }
+  CHECK_MET(met);
 }
 
 TEST_CASE("fit: what the normal equations give in long double, with noise, weights and smoothness") {

@@ -7,6 +7,7 @@
 #include <zonal/material/fresnel.hpp>
 #include <zonal/material/ggx.hpp>
 #include <zonal/material/oren_nayar.hpp>
+#include <zonal/probe/nonlinear_l1.hpp>
 
 #include <algorithm>
 #include <array>
@@ -164,5 +165,23 @@ TEST_CASE("functions: other forms of the basis") {
       for (std::size_t i = 0; i < 25; ++i) all[25 * k + i] = y.hessian[k].values[i];
     }
     return all;
+  });
+}
+
+TEST_CASE("functions: probes") {
+  const auto light = [](Numbers& n) {  // its direction, the normal, and how much of the light comes from there
+    const auto a = n.above(), b = n.above();
+    return std::array<float, 8>{a[0], a[1], a[2], b[0], b[1], b[2], n.uniform(-1, 1), n.uniform(0, 1)};
+  };
+  check("nonlinear_irradiance_over_pi", light, [](auto t, const float* in) {
+    using T = decltype(t);
+    zonal::Sh<2, T> sh{};
+    sh[0] = static_cast<T>(3.5449077F);  // a mean of 1
+    const T size = static_cast<T>(in[7]) * static_cast<T>(6.1399603F);
+    sh[1] = -size * static_cast<T>(in[1]), sh[2] = size * static_cast<T>(in[2]), sh[3] = -size * static_cast<T>(in[0]);
+    const T sign = in[6] < 0 ? T(-1) : T(1);
+    const std::array<T, 3> normal{sign * static_cast<T>(in[3]), sign * static_cast<T>(in[4]),
+                                  sign * static_cast<T>(in[5])};
+    return std::array{zonal::nonlinear_irradiance_over_pi(sh, normal)};
   });
 }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <string>
 
+#include "../accuracy.hpp"
 #include "../catch.hpp"
 #include "furnace.hpp"
 #include "support.hpp"
@@ -92,6 +93,12 @@ glm::dvec3 vsl_by_definition(const std::vector<VirtualLight>& lights, const Rece
 
 double sum_of(const glm::dvec3& rgb) { return rgb.x + rgb.y + rgb.z; }
 
+void check_close(const glm::vec3& got, const glm::dvec3& expected, Met& met) {
+  for (int c = 0; c < 3; ++c) {
+    CAPTURE(c, got[c], expected[c]);
+    REQUIRE(met.meet(std::abs(double(got[c]) - expected[c]) / std::max(sum_of(expected), 1e-6)));
+  }
+}
 void check_close(const glm::vec3& got, const glm::dvec3& expected, double bound) {
   for (int c = 0; c < 3; ++c) {
     CAPTURE(c, got[c], expected[c]);
@@ -113,6 +120,7 @@ TEST_CASE("light cache: holds every light that shines, those of one glossy mater
 }
 
 TEST_CASE("vpl: is its definition, with and without clamping") {
+  Met met("gather", "gather_vpl");
   Random random(32);
   for (int trial = 0; trial < 60; ++trial) {
     const auto lights = random_lights(random, trial);
@@ -122,9 +130,10 @@ TEST_CASE("vpl: is its definition, with and without clamping") {
     for (const float clamp : {0.0F, 1.0F, 4.0F}) {
       CAPTURE(trial, clamp);
       check_close(gather_vpl(cache, receiver, material.brdf, clamp),
-                  vpl_by_definition(lights, receiver, material.brdf, double(clamp)), 1e-5);
+                  vpl_by_definition(lights, receiver, material.brdf, double(clamp)), met);
     }
   }
+  CHECK_WORST_MET(met);
 }
 
 TEST_CASE("vsl: its mean is the integral over the cap, for few samples, sharp lobes, and inside the sphere") {
@@ -210,6 +219,7 @@ TEST_CASE("a light of radius 0 is a point light to every method, at any distance
 }
 
 TEST_CASE("hvl zonal: a circular lobe against a cap is the integral over the cap, with the centre's cosine") {
+  Met met("gather", "gather_hvl_zonal");
   // A Phong lobe about the normal is circular: seen from the normal its mirror direction is the normal.
   const zonal::Brdf phong{{zonal::PhongBrdf{{0.9F, 0.5F, 0.1F}, 8.0F}}};
   const zonal::ZonalTable table = zonal::project_zonal(phong, 21);
@@ -232,11 +242,13 @@ TEST_CASE("hvl zonal: a circular lobe against a cap is the integral over the cap
     expected *= sent_by(light, centre) * std::max(0.0, glm::dot(centre, normal)) /
                 (pi * double(light.radius) * double(light.radius));
     CAPTURE(trial);
-    check_close(zonal::gather_hvl_zonal<21>(LightCache(lights), receiver, table), expected, 5e-4);
+    check_close(zonal::gather_hvl_zonal<21>(LightCache(lights), receiver, table), expected, met);
   }
+  CHECK_WORST_MET(met);
 }
 
 TEST_CASE("zonal table: is the mean of the lobe over circles about the mirror direction, and knows what is diffuse") {
+  Met met("material", "project_zonal");
   CHECK(zonal::project_zonal(materials().red.brdf, 9).is_diffuse());
   const zonal::Brdf& brdf = materials().plastic.brdf;
   const zonal::Brdf glossy = zonal::glossy_part(brdf);
@@ -260,9 +272,10 @@ TEST_CASE("zonal table: is the mean of the lobe over circles about the mirror di
     const auto got = table.glossy<9>(float(std::cos(theta)));
     for (int l = 0; l < 9; ++l) {
       CAPTURE(degrees, l, got[l].x, expected[l]);
-      CHECK(std::abs(double(got[l].x) - expected[l]) <= 1e-3 * expected[0]);
+      CHECK(met.meet(std::abs(double(got[l].x) - expected[l]) / expected[0]));
     }
   }
+  CHECK_WORST_MET(met);
 }
 
 TEST_CASE("visibility: each method asks for the lights that contribute, and leaves out those that are hidden") {

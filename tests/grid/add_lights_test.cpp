@@ -12,6 +12,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "../accuracy.hpp"
 #include "../catch.hpp"
 
 namespace {
@@ -42,8 +43,8 @@ auto limited(const Light& light, const glm::dvec3& x, double cell) {
 }
 
 template <class Light, class Widen, class Add>
-void check(const std::vector<zonal::ColouredLight<Light>>& lights, const glm::ivec3& resolution, Widen widen,
-           double tolerance, Add add) {
+void check(const std::vector<zonal::ColouredLight<Light>>& lights, const glm::ivec3& resolution, Widen widen, Met& met,
+           Add add) {
   zonal::CoefficientGrid<N> grid({-1, -1, -1}, {1, 2, 0.5F}, resolution);
   add(grid);
   const double cell = static_cast<double>(std::max({grid.spacing().x, grid.spacing().y, grid.spacing().z}));
@@ -67,10 +68,9 @@ void check(const std::vector<zonal::ColouredLight<Light>>& lights, const glm::iv
           }
           for (int n = 0; n < N * N; ++n) {
             CAPTURE(lights.size(), i, j, k, c, n);
-            REQUIRE(std::abs(static_cast<double>(got.value[n][c]) - expected.value[n]) <= tolerance * unit);
+            REQUIRE(met.meet(std::abs(static_cast<double>(got.value[n][c]) - expected.value[n]) / unit));
             for (int a = 0; a < 3; ++a) {
-              REQUIRE(std::abs(static_cast<double>(got.gradient[a][n][c]) - expected.gradient[a][n]) <=
-                      tolerance * slope);
+              REQUIRE(met.meet(std::abs(static_cast<double>(got.gradient[a][n][c]) - expected.gradient[a][n]) / slope));
             }
           }
         }
@@ -81,8 +81,8 @@ void check(const std::vector<zonal::ColouredLight<Light>>& lights, const glm::iv
 
 template <class Light, class Widen>
 void check(const std::vector<zonal::ColouredLight<Light>>& lights, const glm::ivec3& resolution, Widen widen,
-           double tolerance) {
-  check(lights, resolution, widen, tolerance, [&](auto& grid) { zonal::add_lights(grid, lights, serially); });
+           Met& met) {
+  check(lights, resolution, widen, met, [&](auto& grid) { zonal::add_lights(grid, lights, serially); });
 }
 
 template <class MakeLight>
@@ -99,6 +99,7 @@ auto random_lights(std::size_t count, unsigned seed, MakeLight make) {
 }  // namespace
 
 TEST_CASE("grid from sphere lights: any number of lights, any resolution") {
+  Met met("grid", "add_lights");
   const auto sphere = [](std::mt19937& random) {
     return zonal::SphereLight<float>{random_point(random, -0.5F, 0.5F) + glm::vec3(0, 0, 2), 0.2F};
   };
@@ -106,19 +107,21 @@ TEST_CASE("grid from sphere lights: any number of lights, any resolution") {
     return zonal::SphereLight<double>{glm::dvec3(light.center), static_cast<double>(light.radius)};
   };
   for (const std::size_t count : {0U, 1U, 3U, 4U, 5U, 17U}) {
-    check(random_lights(count, 61, sphere), {2, 3, 4}, widen, 3e-6);
+    check(random_lights(count, 61, sphere), {2, 3, 4}, widen, met);
   }
-  check(random_lights(7, 62, sphere), {5, 2, 7}, widen, 3e-6);
+  check(random_lights(7, 62, sphere), {5, 2, 7}, widen, met);
+  CHECK_MET(met);
 }
 
 TEST_CASE("grid from other lights: points, spots, triangles as spheres") {
+  Met met("grid", "add_lights");
   check(
       random_lights(5, 63,
                     [](std::mt19937& random) {
                       return zonal::PointLight<float>{random_point(random, -0.5F, 0.5F) + glm::vec3(0, 0, 2)};
                     }),
       {3, 3, 3},
-      [](const zonal::PointLight<float>& light) { return zonal::PointLight<double>{glm::dvec3(light.center)}; }, 3e-6);
+      [](const zonal::PointLight<float>& light) { return zonal::PointLight<double>{glm::dvec3(light.center)}; }, met);
   check(
       random_lights(5, 64,
                     [](std::mt19937& random) {
@@ -131,10 +134,12 @@ TEST_CASE("grid from other lights: points, spots, triangles as spheres") {
         return zonal::TriangleSphereLight<double>{glm::dvec3(light.center), glm::dvec3(light.normal),
                                                   static_cast<double>(light.radius)};
       },
-      3e-6);
+      met);
+  CHECK_MET(met);
 }
 
 TEST_CASE("grid from other lights: spots, soft spheres") {
+  Met met("grid", "add_lights");
   check(
       random_lights(6, 65,
                     [](std::mt19937& random) {
@@ -146,7 +151,7 @@ TEST_CASE("grid from other lights: spots, soft spheres") {
         return zonal::SpotLight<double>{glm::dvec3(light.center), glm::dvec3(light.axis),
                                         static_cast<double>(light.cos_inner), static_cast<double>(light.cos_outer)};
       },
-      5e-6);
+      met);
   check(
       random_lights(
           6, 66,
@@ -161,10 +166,12 @@ TEST_CASE("grid from other lights: spots, soft spheres") {
         for (int l = 0; l < N; ++l) wide.kernel[l] = static_cast<double>(light.kernel[l]);
         return wide;
       },
-      3e-6);
+      met);
+  CHECK_MET(met);
 }
 
 TEST_CASE("grid from directional lights: the same everywhere") {
+  Met met("grid", "add_lights");
   check(
       random_lights(3, 68,
                     [](std::mt19937& random) {
@@ -174,7 +181,8 @@ TEST_CASE("grid from directional lights: the same everywhere") {
       [](const zonal::DirectionalLight<float>& light) {
         return zonal::DirectionalLight<double>{glm::dvec3(light.direction)};
       },
-      3e-6);
+      met);
+  CHECK_MET(met);
 }
 
 namespace {
@@ -206,6 +214,7 @@ std::vector<zonal::ColouredLight<zonal::TriangleLight<float>>> cut_square(int si
 }  // namespace
 
 TEST_CASE("grid from polygons: each by itself, and as neighbours that share their edges") {
+  Met met("grid", "add_lights, polygons");
   const auto widen = [](const auto& light) { return widened(light); };
   const auto adding = [](const auto& lights) {
     return [&](auto& grid) { zonal::add_lights(grid, lights, 1e-7, serially); };
@@ -216,12 +225,13 @@ TEST_CASE("grid from polygons: each by itself, and as neighbours that share thei
       return zonal::PolygonLight<4, float>{{corner, corner + glm::vec3(0.4F, 0, 0.2F),
                                             corner + glm::vec3(0.4F, 0.3F, 0.2F), corner + glm::vec3(0, 0.3F, 0)}};
     });
-    check(lights, {4, 6, 4}, widen, 2e-5, adding(lights));  // far enough: no gradient is limited
+    check(lights, {4, 6, 4}, widen, met, adding(lights));  // far enough: no gradient is limited
   }
   const auto gaudy = cut_square(3, [](std::size_t i) {
     return glm::vec3(static_cast<float>(i % 5) * 0.25F, static_cast<float>(i % 3), i % 7 == 0 ? 4.0F : 0.5F);
   });
-  check(gaudy, {4, 6, 4}, widen, 1e-5, adding(gaudy));
+  check(gaudy, {4, 6, 4}, widen, met, adding(gaudy));
+  CHECK_MET(met);
 }
 
 TEST_CASE("grid from polygons: a uniform light is its outline, however finely it is cut") {

@@ -388,6 +388,23 @@ TEST_CASE("polygon: not convex, it is the sum of its triangles") {
     for (const glm::dvec3& x : {at(0.2, 1), at(0.3, 1.1), at(-1, 1), at(4, 1)}) {
       CHECK(std::abs(zonal::project<1>(turned, x)[0]) <= 1e-12);
     }
+    // Anywhere in the plane, to rounding, but on an edge.
+    std::mt19937 random(59);
+    std::uniform_real_distribution<double> uniform(-0.5, 3.5);
+    for (int i = 0; i < 300; ++i) {
+      const double p = uniform(random), q = uniform(random);
+      const auto left_of = [&](double px, double py, double qx, double qy) {
+        return (qx - px) * (q - py) - (qy - py) * (p - px);
+      };
+      const double sides[] = {left_of(0, 0, 3, 1), left_of(3, 1, 0, 2), left_of(0, 2, 0.5, 1), left_of(0.5, 1, 0, 0)};
+      double nearest = 1;
+      for (const double side : sides) nearest = std::min(nearest, std::abs(side));
+      if (nearest < 1e-3) continue;
+      // The arrow is its hull without the notch, the triangle that lies on the other side of both its inner edges.
+      const bool is_inside = sides[0] > 0 && sides[1] > 0 && (sides[2] > 0 || sides[3] > 0);
+      CAPTURE(start, p, q);
+      CHECK(std::abs(zonal::project<1>(turned, at(p, q))[0] - (is_inside ? std::sqrt(pi) : 0)) <= 1e-9);
+    }
   }
 }
 

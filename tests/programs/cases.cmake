@@ -3,6 +3,7 @@
 #   small     arguments that make it fast
 #   few       those that ask for few lights, if not --lights 1
 #   inputs_program  the program that makes pictures for the cases, if not this one
+#   inputs_command  what makes all that the cases start from, in a folder that follows, if not make_inputs.sh
 # and includes this one.
 if(NOT few)
   set(few --lights 1)
@@ -15,8 +16,12 @@ set(programs_dir ${CMAKE_CURRENT_LIST_DIR})
 set(work_dir ${CMAKE_CURRENT_BINARY_DIR}/cases)
 string(REPEAT a 300 long_name)
 
-add_test(NAME "${program}: inputs of the cases" COMMAND
-  ${programs_dir}/make_inputs.sh $<TARGET_FILE:${inputs_program}> ${programs_dir}/scenes ${work_dir}/inputs ${few})
+if(inputs_command)
+  add_test(NAME "${program}: inputs of the cases" COMMAND ${inputs_command} ${work_dir}/inputs)
+else()
+  add_test(NAME "${program}: inputs of the cases" COMMAND
+    ${programs_dir}/make_inputs.sh $<TARGET_FILE:${inputs_program}> ${programs_dir}/scenes ${work_dir}/inputs ${few})
+endif()
 set_tests_properties("${program}: inputs of the cases" PROPERTIES FIXTURES_SETUP ${program}_inputs)
 
 # program_case(<name> <exit status> <new files> <pattern of standard error> <command>...)
@@ -81,6 +86,8 @@ function(example_test source)
   target_link_libraries(test_${name} PRIVATE ${program}-parts
     $<IF:$<TARGET_EXISTS:test_main>,test_main,Catch2::Catch2WithMain>)
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR}/examples)
-  target_precompile_headers(test_${name} REUSE_FROM test_precompiled)
+  if(TARGET test_precompiled)  # as it is but for tools, which come before the tests
+    target_precompile_headers(test_${name} REUSE_FROM test_precompiled)
+  endif()
   catch_discover_tests(test_${name} TEST_PREFIX "${program}: " PROPERTIES TIMEOUT 120)
 endfunction()

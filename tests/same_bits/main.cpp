@@ -30,18 +30,23 @@ void print_line(const KernelRuns& kernel) {
 }
 
 template <class T>
-bool is_finite(const KernelRuns& kernel, const char* scalar, long count, unsigned seed) {
+bool is_finite(const KernelRuns& kernel, const char* scalar, const std::vector<double>& numbers) {
+  const std::vector<T> inputs(numbers.begin(), numbers.end());
+  for (const T output : kernel.run(inputs)) {
+    if (std::isfinite(output)) continue;
+    std::printf("%s in %s gives %g of", kernel.name, scalar, double(output));
+    for (const T input : inputs) std::printf(" %.17g", double(input));
+    std::printf("\n");
+    return false;
+  }
+  return true;
+}
+
+bool is_finite(const KernelRuns& kernel, long count, unsigned seed) {
   InputSampler sampler(seed, kBands, Draw::extreme);
   for (long i = 0; i < count; ++i) {
     const std::vector<double> numbers = sampler.draw(kernel.parameters);
-    const std::vector<T> inputs(numbers.begin(), numbers.end());
-    for (const T output : kernel.run(inputs)) {
-      if (std::isfinite(output)) continue;
-      std::printf("%s in %s gives %g of", kernel.name, scalar, double(output));
-      for (const T input : inputs) std::printf(" %.17g", double(input));
-      std::printf("\n");
-      return false;
-    }
+    if (!is_finite<float>(kernel, "float", numbers) || !is_finite<double>(kernel, "double", numbers)) return false;
   }
   return true;
 }
@@ -124,8 +129,7 @@ int main(int count, char** arguments) {
       if (mode == "--finite" && count == 4) {
         const long draws = std::atol(arguments[2]);
         const auto seed = static_cast<unsigned>(std::atol(arguments[3]));
-        good = is_finite<float>(kernel, "float", draws, seed) && good;
-        good = is_finite<double>(kernel, "double", draws, seed) && good;
+        good = is_finite(kernel, draws, seed) && good;
       } else if (written.is_open()) {
         write(kernel, written);
       } else if (expected.is_open()) {

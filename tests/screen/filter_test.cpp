@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "../accuracy.hpp"
 #include "../catch.hpp"
 
 namespace {
@@ -37,7 +38,10 @@ SurfacePicture broken_surfaces(int width, int height, unsigned seed) {
     for (int x = 0; x < width; ++x) {
       if (uniform() < 0.03F) continue;
       // A little tilted, one plane may hold the other's pixel and not the other way round.
-      const float tilt = uniform() < 0.1F ? 1.0F : uniform() < 0.2F ? 0.3F : 0.0F, step = uniform() < 0.1F ? 0.2F : 0.0F;
+      const float tilt = uniform() < 0.1F   ? 1.0F
+                         : uniform() < 0.2F ? 0.3F
+                                            : 0.0F,
+                  step = uniform() < 0.1F ? 0.2F : 0.0F;
       const glm::vec3 normal(std::sin(tilt), std::cos(tilt), 0);
       const glm::vec3 position(0.01F * float(x), step + 0.001F * uniform(), 0.01F * float(y));
       surfaces.set_surface(x, y, position, normal, 5, uniform() < 0.1F ? 1 : 0, uniform() < 0.1F ? 1 : 0);
@@ -118,7 +122,7 @@ std::vector<double> filter_plainly(const PlanePicture<float>& picture, int plane
 constexpr double unit_roundoff = 0x1p-24;
 
 void check_against_definition(int width, int height, InterleavedPattern pattern, const SurfacePicture& surfaces,
-                              unsigned seed) {
+                              unsigned seed, Met& met) {
   const SurfaceTests tests;
   const PlanePicture<float> picture = noise(width, height, 2, seed);
   PlanePicture<float> filtered(width, height, 2);
@@ -128,7 +132,7 @@ void check_against_definition(int width, int height, InterleavedPattern pattern,
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
         const double given = double(filtered.get(x, y, plane)), truth = expected[std::size_t(y * width + x)];
-        if (std::abs(given - truth) <= 16 * unit_roundoff) continue;
+        if (met.meet(std::abs(given - truth) / (2 * unit_roundoff))) continue;
         CAPTURE(width, height, pattern.columns, pattern.rows, seed, plane, x, y, given, truth);
         FAIL("not what the definition gives");
       }
@@ -139,15 +143,17 @@ void check_against_definition(int width, int height, InterleavedPattern pattern,
 }  // namespace
 
 TEST_CASE("the filter does what it says, on surfaces broken anyhow") {
+  Met met("screen", "filter");
   unsigned seed = 1;
   for (const auto& [width, height] : {std::pair(1, 1), {17, 9}, {64, 70}, {33, 131}, {100, 64}}) {
     for (const InterleavedPattern pattern : {InterleavedPattern{1, 1}, {2, 3}, {4, 4}, {5, 1}, {8, 8}, {16, 16}}) {
       if (!pattern.what_is_wrong(width, height).empty()) continue;
-      check_against_definition(width, height, pattern, broken_surfaces(width, height, seed), seed);
-      check_against_definition(width, height, pattern, plane_surfaces(width, height), seed);
+      check_against_definition(width, height, pattern, broken_surfaces(width, height, seed), seed, met);
+      check_against_definition(width, height, pattern, plane_surfaces(width, height), seed, met);
       ++seed;
     }
   }
+  CHECK_WORST_MET(met);
 }
 
 TEST_CASE("on one plane every pixel becomes the mean of all sets, at every pattern and at the edges") {

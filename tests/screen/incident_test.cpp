@@ -10,6 +10,7 @@
 #include <random>
 #include <vector>
 
+#include "../accuracy.hpp"
 #include "../catch.hpp"
 
 namespace {
@@ -80,6 +81,7 @@ zonal::LightSet set_of(const std::vector<Light>& lights) {
 }  // namespace
 
 TEST_CASE("incident radiance is the sum over lights of Y times their irradiance, of those that are seen and above") {
+  Met met("screen", "incident_radiance");
   Random random(1);
   for (int round = 0; round < 100; ++round) {
     const std::vector<Light> lights = random_lights(random, 1 + round % 37);
@@ -113,11 +115,12 @@ TEST_CASE("incident radiance is the sum over lights of Y times their irradiance,
     for (int i = 0; i < 16; ++i) {
       CAPTURE(i);
       // A spot's edge is steep: 1 / 0.08 times the rounding of the cosine.
-      REQUIRE(glm::distance(glm::dvec3(given[i]), expected[i]) <= 6e-6 * largest);
+      REQUIRE(met.meet(largest > 0 ? glm::distance(glm::dvec3(given[i]), expected[i]) / largest : 0));
     }
-    REQUIRE(glm::distance(glm::dvec3(moments.moments().total), total) <= 6e-6 * largest);
-    REQUIRE(glm::distance(glm::dvec3(moments.moments().vector), vector) <= 6e-6 * largest);
+    REQUIRE(glm::distance(glm::dvec3(moments.moments().total), total) <= met.row.bound * largest);
+    REQUIRE(glm::distance(glm::dvec3(moments.moments().vector), vector) <= met.row.bound * largest);
   }
+  CHECK_WORST_MET(met);
 }
 
 TEST_CASE("light that no ray is asked for: below the horizon, behind a surface, out of the cone") {
@@ -162,6 +165,7 @@ TEST_CASE("six floats give back their moments, read either way") {
 }
 
 TEST_CASE("a table's reflection of coefficients is Lambert's in closed form") {
+  Met met("screen", "reflected_radiance");
   Random random(3);
   const zonal::MaterialTable white(zonal::project_material({{zonal::LambertBrdf{glm::vec3(1)}}}, 5));
   for (int round = 0; round < 50; ++round) {
@@ -174,8 +178,9 @@ TEST_CASE("a table's reflection of coefficients is Lambert's in closed form") {
     const glm::vec3 expected = zonal::reconstruct_convolved(radiance, zonal::LambertLobe{}, normal);
     const glm::vec3 given = zonal::reflected_radiance(radiance, white, normal, outgoing);
     CAPTURE(round);
-    REQUIRE(glm::distance(given, expected) <= 2e-4F * glm::length(expected));  // the table's tolerance
+    REQUIRE(met.meet(double(glm::distance(given, expected) / glm::length(expected))));  // the table's tolerance
   }
+  CHECK_WORST_MET(met);
 }
 
 TEST_CASE("Phong's lobe stands about the mirror direction") {

@@ -1,20 +1,16 @@
 // Every function at every number of bands on the driver, against its record (which record_test.cpp compares with C++):
 // to the bit where the driver computes on the CPU.
-#include <zonal/shader/file_text.hpp>
-
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <functional>
 #include <initializer_list>
 #include <limits>
 #include <string_view>
 
 #include "../catch.hpp"
 #include "adjoints.hpp"
-#include "caller.hpp"
-#include "compare.hpp"
 #include "driver.hpp"
-#include "inputs.hpp"
-#include "interpret.hpp"
+#include "function_shader.hpp"
 #include "shader_functions.hpp"
 
 namespace {
@@ -23,28 +19,14 @@ using zonal::shader::all_orders;
 using zonal::shader::FunctionEntry;
 using zonal::shader::RecordedFunction;
 
-constexpr unsigned group_size = 64, groups = 8;
-constexpr std::size_t samples = group_size * groups;
-
-/// A compute shader that calls the function once per invocation.
-std::string shader(const RecordedFunction& function, const zonal::shader::TextOptions& options) {
-  const zonal::shader::Dialect& glsl = *zonal::shader::find_dialect("glsl450");
-  return "#version 450\nlayout(local_size_x = " + std::to_string(group_size) +
-         ") in;\n"
-         "layout(std430, binding = 0) readonly buffer Numbers { float numbers[]; };\n"
-         "layout(std430, binding = 1) writeonly buffer Results { float results[]; };\n" +
-         function_text(function, glsl, options) + caller_text(function, "uint", options) +
-         "void main() {\n  uint i = gl_GlobalInvocationID.x;\n  call_" + function.name + "(i * " +
-         std::to_string(input_count(function)) + "u, i * " + std::to_string(output_count(function)) + "u);\n}\n";
-}
-
 std::vector<float> run_on_driver(Driver& driver, const RecordedFunction& function, const std::vector<float>& numbers,
                                  const zonal::shader::TextOptions& options) {
-  const unsigned program = driver.compile(shader(function, options));
-  const auto count = samples * static_cast<std::size_t>(output_count(function));
+  const unsigned program =
+      driver.compile("#version 450\n" + function_shader(std::array{std::cref(function)}, "0", options));
+  const auto count = sample_count * static_cast<std::size_t>(output_count(function));
   const unsigned in = driver.make_buffer(numbers.empty() ? std::vector<float>(1) : numbers);
   const unsigned out = driver.make_buffer(std::vector<float>(count, std::numeric_limits<float>::quiet_NaN()));
-  driver.run(program, {in, out}, groups);
+  driver.run(program, {in, out}, sample_groups);
   const std::vector<float> results = driver.read_buffer(out, count);
   driver.delete_buffer(in);
   driver.delete_buffer(out);
@@ -52,23 +34,10 @@ std::vector<float> run_on_driver(Driver& driver, const RecordedFunction& functio
   return results;
 }
 
-/// The function on the driver against its record, an operation at a time.
 void check(Driver& driver, const RecordedFunction& function, int bands, const zonal::shader::TextOptions& options) {
-  InputSampler sampler(7, bands);
-  std::vector<std::vector<float>> inputs;
-  std::vector<float> numbers;
-  for (std::size_t i = 0; i < samples; ++i) {
-    inputs.push_back(sampler.draw(function.parameters));
-    numbers.insert(numbers.end(), inputs.back().begin(), inputs.back().end());
-  }
-  INFO(function.name);
-  const std::vector<float> results = run_on_driver(driver, function, numbers, options);
-  const auto count = static_cast<std::size_t>(output_count(function));
-  for (std::size_t i = 0; i < samples; ++i) {
-    const std::vector<float> given(results.begin() + static_cast<std::ptrdiff_t>(i * count),
-                                   results.begin() + static_cast<std::ptrdiff_t>((i + 1) * count));
-    require_equal(given, interpret(function, inputs[i]), driver.is_software(), [&] { return inputs[i]; });
-  }
+  check_as_recorded(function, bands, driver.is_software(), [&](const std::vector<float>& numbers) {
+    return run_on_driver(driver, function, numbers, options);
+  });
 }
 
 /// select(driver, entry, bands, options) for every function at some numbers of bands, if it has any. The driver takes

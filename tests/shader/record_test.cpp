@@ -1,5 +1,8 @@
 // The records themselves: that they are what C++ computes, for colours too, and what is left when coefficients go.
 #include <glm/vec3.hpp>
+#include <zonal/convention/shader_forms.hpp>
+#include <zonal/probe/nonlinear_l1.hpp>
+#include <zonal/probe/zh3.hpp>
 #include <zonal/shader/shells.hpp>
 #include <zonal/transform/reconstruct_adjoint.hpp>
 #include <zonal/zonal.hpp>
@@ -132,6 +135,14 @@ std::vector<float> windowed(Row row, zonal::Window window) {
   return flat(zonal::apply_window(sh, window, static_cast<double>(row.number())));
 }
 
+/// A colour of what a channel's numbers give.
+template <class F>
+std::vector<float> by_channel(const F& of_channel) {
+  Colour colour(0);
+  for (int channel = 0; channel < 3; ++channel) colour[channel] = of_channel(channel);
+  return flat(colour);
+}
+
 const std::map<std::string, std::function<std::vector<float>(Row)>> with_colours = {
     {"orient_colour",
      [](Row row) {
@@ -211,6 +222,47 @@ const std::map<std::string, std::function<std::vector<float>(Row)>> with_colours
      }},
     {"apply_hann_window_colour", [](Row row) { return windowed(row, zonal::Window::hann); }},
     {"apply_sinc_window_colour", [](Row row) { return windowed(row, zonal::Window::sinc); }},
+    {"reconstruct_nine_polynomials_colour",
+     [](Row row) {
+       const auto p = row.read<zonal::Sh<3, Colour>>();
+       const Colour normal = row.colour();
+       const zonal::NinePolynomials<Colour> nine{p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
+       return by_channel([&](int c) {
+         const zonal::NinePolynomials<float> of_channel{nine.x[c],  nine.y[c],  nine.z[c],  nine.xx[c], nine.yy[c],
+                                                        nine.zz[c], nine.yz[c], nine.zx[c], nine.xy[c]};
+         return zonal::reconstruct(of_channel, normal);
+       });
+     }},
+    {"reconstruct_polynomials_colour",
+     [](Row row) {
+       const auto p = row.read<zonal::Sh<3, Colour>>();
+       const Colour normal = row.colour();
+       return by_channel(
+           [&](int c) { return zonal::reconstruct_polynomials(channel_of<zonal::Sh<3, float>>(p, c), normal); });
+     }},
+    {"hallucinate_zh3_colour",
+     [](Row row) {
+       const auto radiance = row.read<zonal::Sh<2, Colour>>();
+       const Colour axis = row.colour();
+       const float along[3] = {axis.x, axis.y, axis.z};
+       return by_channel(
+           [&](int c) { return zonal::hallucinated_zonal(channel_of<zonal::Sh<2, float>>(radiance, c), along); });
+     }},
+    {"irradiance_zh3_colour",
+     [](Row row) {
+       const auto radiance = row.read<zonal::Sh<2, Colour>>();
+       const Colour of_degree_2 = row.colour(), axis = row.colour(), normal = row.colour();
+       const float along[3] = {axis.x, axis.y, axis.z};
+       return by_channel([&](int c) {
+         return zonal::irradiance_zh3_over_pi(channel_of<zonal::Sh<2, float>>(radiance, c), of_degree_2[c], along,
+                                              normal);
+       });
+     }},
+    {"irradiance_nonlinear_colour",
+     [](Row row) {
+       const auto radiance = row.read<zonal::Sh<2, Colour>>();
+       return flat(zonal::nonlinear_irradiance_over_pi(radiance, row.colour()));
+     }},
 };
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
+#include "../accuracy.hpp"
 #include "../catch.hpp"
 #include "ivanic_ruedenberg.hpp"
 
@@ -295,7 +296,9 @@ TEST_CASE("The derivative of a rotation") {
   }
   // [L_x, L_y] = L_z
   const Sh<N, double> commutator = rotation_derivative(derivative.y).x - rotation_derivative(derivative.x).y;
-  CHECK(distance(commutator, derivative.z) <= 1e-14);
+  Met met("transform", "rotation_derivative");
+  met.meet(distance(commutator, derivative.z));
+  CHECK_WORST_MET(met);
 }
 
 TEST_CASE("What is no number, or nothing, gives no numbers") {

@@ -182,6 +182,12 @@ class DescribingIo {
                                     is_coloured ? 3 : 1);
   }
 
+  /// A single one, of the first operand.
+  T coefficient(const char* name) {
+    const bool is_coloured = colours_ != Colours::none;
+    return take<1>({name, Direction::in, Domain::coefficient, is_coloured ? 3 : 1, 0}, is_coloured ? 3 : 1)[0];
+  }
+
   /// count 0: a single one, which the function returns if it has no other output.
   Numbers<T> output(const char* name, int count) { return result(name, count, false); }
   Triples<T> output_triples(const char* name, int count) {

@@ -14,6 +14,7 @@
 #include "light_kernels.hpp"
 #include "lobe_kernels.hpp"
 #include "material_kernels.hpp"
+#include "probe_kernels.hpp"
 #include "scalar_kernels.hpp"
 #include "screen_kernels.hpp"
 #include "transform_kernels.hpp"
@@ -31,7 +32,7 @@ using BasisKernels =
                ReconstructWithAdjoint<ColourRule::splat>, ReconstructConvolved, Convolve, ConvolveZonal, Dot, DotEven,
                DotZonal, Product, ProductZonal, TripleProduct, WindowFactors<Window::hann>, WindowFactors<Window::sinc>,
                ApplyWindow<Window::hann>, ApplyWindow<Window::sinc>>;
-// They run kernels of BasisKernels, and cost next to nothing to compile beside them.
+// They run kernels of the other lists, and cost next to nothing to compile.
 using ColourKernels =
     KernelList<OfColours<Orient>, OfColours<RotateAboutZ>, OfColours<Rotate>, OfColours<Reconstruct>,
                OfColours<ReconstructEven>, OfColours<ReconstructZonal>, OfColours<ReconstructLambert>,
@@ -40,7 +41,9 @@ using ColourKernels =
                OfColours<Dot>, OfColours<Dot, Colours::all>, OfColours<DotEven>, OfColours<DotEven, Colours::all>,
                OfColours<DotZonal>, OfColours<DotZonal, Colours::all>, OfColours<Product>,
                OfColours<Product, Colours::all>, OfColours<ProductZonal>, OfColours<TripleProduct>,
-               OfColours<ApplyWindow<Window::hann>>, OfColours<ApplyWindow<Window::sinc>>>;
+               OfColours<ApplyWindow<Window::hann>>, OfColours<ApplyWindow<Window::sinc>>,
+               OfColours<ReconstructNinePolynomials>, OfColours<ReconstructPolynomials>, OfColours<HallucinateZh3>,
+               OfColours<IrradianceZh3>, OfColours<IrradianceNonlinear>>;
 using SceneKernels =
     KernelList<Sphere, SphereWithGradient,                             // lights
                CellPosition, CellWeightsOf<Interpolation::trilinear>,  // grid
@@ -55,7 +58,10 @@ using SceneKernels =
                HvlRadiance<3, Horizon::smoothstep, Symmetry::zonal>, HvlRadiance<1, Horizon::exact, Symmetry::zonal>,
                HvlRadiance<3, Horizon::exact, Symmetry::zonal>, HvlRadiance<1, Horizon::none, Symmetry::zonal>,
                HvlRadiance<3, Horizon::none, Symmetry::zonal>,  //
-               IsSameSurface>;                                  // screen
+               IsSameSurface,                                   // screen
+               ReconstructSevenVectors, ReconstructNinePolynomials, ReconstructPolynomials, LinearAxis, HallucinateZh3,
+               IrradianceZh3, IrradianceNonlinear, IrradianceSixFloats<SixFloatsShape::linear>,
+               IrradianceSixFloats<SixFloatsShape::nonlinear>, IrradianceBytes>;  // light probes
 // They are no shader functions: of fixed lights.
 using UnwrittenKernels = KernelList<Arcs, SpotWithGradient, TriangleSphereWithGradient, PolygonWithGradient>;
 

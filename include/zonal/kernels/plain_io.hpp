@@ -52,6 +52,8 @@ class PlainIo {
     return is_coloured ? take<std::size_t{Count}, 3>(channel_) : take<std::size_t{Count}>();
   }
 
+  T coefficient(const char* name) { return coefficients<1>(name)[0]; }
+
   Numbers<T> output(const char*, int count) {
     if constexpr (!with_colours) {
       return {put(elements(count)), 1};

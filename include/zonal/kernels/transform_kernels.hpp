@@ -380,6 +380,7 @@ constexpr std::array<char, Size + 1> join_texts(std::string_view a, std::string_
 template <class Entry, Colours colours = Colours::first>
 struct OfColours : Kernel {
   static constexpr bool is_coloured = true;
+  static constexpr bool has_bands = Entry::has_bands;
   static constexpr int most_bands = Entry::most_bands;
   template <int N, class Io>
   static void run(Io& io) {

@@ -285,16 +285,36 @@ struct PolygonView {
   T solid_angle, side;
 };
 
-// As a fan of triangles from the first vertex, some of which are negative where the polygon is not convex.
+// As a fan of triangles from the first vertex, some of which are negative where the polygon is not convex: those that
+// run around the other way. Of a receiver next to the plane each volume's sign is rounding; two triangles that it is in
+// would add up to a sphere where they ought to cancel.
 template <int V, class T>
 ZONAL_INLINE constexpr PolygonView<T> view(const SeenPolygon<V, T>& polygon) {
   const auto& vertex = polygon.vertex;
-  T diagonal[3] = {polygon.edge[0][0], polygon.edge[0][1], polygon.edge[0][2]}, total = T(0);
-  for (int v = 1; v + 1 < V; ++v) {
-    total = total + triangle_solid_angle(vertex[0], diagonal, vertex[v], polygon.edge[v], vertex[v + 1]);
-    for (int i = 0; i < 3; ++i) diagonal[i] = diagonal[i] + polygon.edge[v][i];
+  if constexpr (V == 3) {
+    const T angle = triangle_solid_angle(vertex[0], polygon.edge[0], vertex[1], polygon.edge[1], vertex[2]);
+    return {abs(angle), select(angle < T(0), T(-1), T(1))};
   }
-  return {abs(total), select(total < T(0), T(-1), T(1))};
+  T inverse_longest = inverse_length(polygon.edge[0]);
+  for (int v = 1; v < V; ++v) inverse_longest = minimum(inverse_longest, inverse_length(polygon.edge[v]));
+  T diagonal[3] = {polygon.edge[0][0], polygon.edge[0][1], polygon.edge[0][2]}, normal[3] = {T(0), T(0), T(0)};
+  T angle[static_cast<std::size_t>(V)], area[static_cast<std::size_t>(V)][3];
+  T total = T(0), sum = T(0);
+  for (int v = 1; v + 1 < V; ++v) {
+    angle[v] = triangle_solid_angle(vertex[0], diagonal, vertex[v], polygon.edge[v], vertex[v + 1]);
+    total = total + angle[v];
+    T scaled_diagonal[3], scaled_edge[3];
+    for (int i = 0; i < 3; ++i) {
+      scaled_diagonal[i] = diagonal[i] * inverse_longest, scaled_edge[i] = polygon.edge[v][i] * inverse_longest;
+      diagonal[i] = diagonal[i] + polygon.edge[v][i];
+    }
+    cross3(scaled_diagonal, scaled_edge, area[v]);
+    for (int i = 0; i < 3; ++i) normal[i] = normal[i] + area[v][i];
+  }
+  for (int v = 1; v + 1 < V; ++v) {
+    sum = sum + select(dot3(area[v], normal) < T(0), -abs(angle[v]), abs(angle[v]));
+  }
+  return {abs(sum), select(total < T(0), T(-1), T(1))};
 }
 
 // The arc between two seen points, in radians, or up to 3 % more: chord asin(x)/x, x = chord/2, where the rest of the

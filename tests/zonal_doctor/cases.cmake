@@ -1,0 +1,61 @@
+# zonal-doctor as a user meets it.
+set(cases_dir ${CMAKE_CURRENT_LIST_DIR})
+set(work_dir ${CMAKE_CURRENT_BINARY_DIR}/cases)
+add_test(NAME "zonal-doctor: inputs of the cases" COMMAND
+  ${cases_dir}/make_inputs.sh $<TARGET_FILE:zonal-doctor> ${work_dir}/inputs)
+set_tests_properties("zonal-doctor: inputs of the cases" PROPERTIES FIXTURES_SETUP zonal_doctor_inputs)
+
+# zonal_doctor_case(<name> <exit status> <new files> <pattern of standard error> <command>...)
+function(zonal_doctor_case name status new_files pattern)
+  string(MAKE_C_IDENTIFIER "${name}" folder)
+  add_test(NAME "zonal-doctor: ${name}" COMMAND
+    ${PROJECT_SOURCE_DIR}/tests/programs/run_case.sh ${work_dir}/inputs ${work_dir}/${folder} ${status} "${new_files}"
+    "${pattern}" ${ARGN})
+  set_tests_properties("zonal-doctor: ${name}" PROPERTIES FIXTURES_REQUIRED zonal_doctor_inputs TIMEOUT 60)
+endfunction()
+# refused(<name> <pattern> <argument>...): exit status 2, one line, nothing printed.
+function(zonal_doctor_refused name pattern)
+  zonal_doctor_case("${name}" 2 "" "zonal-doctor: ${pattern}" $<TARGET_FILE:zonal-doctor> ${ARGN})
+endfunction()
+# says(<name> <exit status> <what> <argument>...): prints a line with these words.
+function(zonal_doctor_says name status what)
+  zonal_doctor_case("${name}" 0 "" "" ${cases_dir}/says.sh ${status} "${what}" $<TARGET_FILE:zonal-doctor> ${ARGN})
+endfunction()
+
+zonal_doctor_says("three.js" 0 "the basis of threejs, godot, materialx, shforhlsl, sphericart" threejs.txt)
+zonal_doctor_says("values alone" 0 "the basis of threejs" alone.txt)
+zonal_doctor_says("a heading and commas" 0 "the basis of threejs" heading.csv)
+zonal_doctor_says("a file of Windows" 0 "the basis of threejs" windows.csv)
+zonal_doctor_case("standard input" 0 "" "" sh -c
+  "${cases_dir}/says.sh 0 'the basis of threejs' $<TARGET_FILE:zonal-doctor> - <threejs.txt")
+zonal_doctor_says("as it should be" 0 "the basis of threejs" threejs.txt --convention godot)
+zonal_doctor_says("not as it should be" 1 "wrong: it is not the basis of sloan" threejs.txt --convention sloan)
+zonal_doctor_says("a sign" 1 "wrong: (2,1) has the wrong sign" sign.txt)
+zonal_doctor_says("an exchange" 1 "wrong: (2,-1) and (2,1) are exchanged" exchanged.txt)
+zonal_doctor_says("no number" 1 "wrong: term 8 is no number at 1 of 100 directions" no_number.txt)
+zonal_doctor_says("JSON" 1 ".is_right.: false" sign.txt --format json)
+zonal_doctor_says("fewer bands" 0 "the basis of threejs" two_bands.txt --bands 2)
+zonal_doctor_says("list" 0 "fuma  *ambisonics, Furse and Malham" --list)
+
+zonal_doctor_refused("nothing" "name a file of values, or ask for --directions .*")
+zonal_doctor_refused("no file" "nowhere.txt: No such file or directory" nowhere.txt)
+zonal_doctor_refused("a folder" "/: is a directory" /)
+zonal_doctor_refused("empty" "empty.txt: has no numbers" empty.txt)
+zonal_doctor_refused("remarks" "remarks.txt: has no numbers" remarks.txt)
+zonal_doctor_refused("binary" "zeros.bin: has no numbers" zeros.bin)
+zonal_doctor_refused("a word" "word.txt: line 7: 'one' is no number" word.txt)
+zonal_doctor_refused("a short line" "short_line.txt: line 101 has 5 numbers, line 1 12" short_line.txt)
+zonal_doctor_refused("no unit vector" "long_direction.txt: line 4: is no unit vector x, y, z" long_direction.txt)
+zonal_doctor_refused("few directions" "5 directions do not tell 9 harmonics apart" few.txt)
+zonal_doctor_refused("part of the directions" "part.txt: has 50 lines of values, and --directions prints 100 .*" part.txt)
+zonal_doctor_refused("no square" "no_square.txt: has 8 columns, which is neither .*" no_square.txt)
+zonal_doctor_refused("other bands" "threejs.txt: has 12 columns, which is neither .* 16 values .*" threejs.txt --bands 4)
+zonal_doctor_refused("unknown convention" "--convention: 'ogre' is none that --list prints" threejs.txt --convention ogre)
+zonal_doctor_refused("unknown format" "--format: 'xml' is neither text nor json" threejs.txt --format xml)
+zonal_doctor_refused("bands of directions" "--directions: of how many bands.*" --directions)
+foreach(bands -1 21)
+  zonal_doctor_refused("bands ${bands}" "--bands: '${bands}' is not in 1...20" --directions --bands ${bands})
+endforeach()
+zonal_doctor_refused("bands many" ".*--bands = many" --directions --bands many)
+zonal_doctor_case("full output" 2 "" "zonal-doctor: standard output: cannot be written .No space left on device."
+  sh -c "$<TARGET_FILE:zonal-doctor> threejs.txt >/dev/full")

@@ -54,8 +54,6 @@ std::unique_ptr<Baking> make_of_bands(const Options& options, Arguments&&... arg
 
 }  // namespace
 
-std::vector<int> baked_bands() { return {2, 3, 4, 5, 6}; }
-
 std::unique_ptr<Baking> make_baking(const Options& options, const Bounds& box, const zonal::BakeFolder& folder,
                                     const zonal::ProbeSequence& sequence, const zonal::DirectionBuckets& buckets,
                                     const Ranks& ranks) {

@@ -7,6 +7,8 @@
 namespace example::field_bake {
 namespace {
 
+const std::vector<int> baked_bands{2, 3, 4, 5, 6};  // make_baking has a case for each
+
 enum class Estimate { linear, mean };
 const Names<Estimate> estimate_names = {{"linear", Estimate::linear}, {"mean", Estimate::mean}};
 const Names<zonal::Repair> repair_names = {{"mip-maps", zonal::Repair::mip_maps}, {"nearest", zonal::Repair::nearest}};
@@ -16,8 +18,7 @@ void add_grid_options(CLI::App& app, Options& options) {
   const std::string group = "Grid";
   add_resolution_option(app, options.resolution, 1024, "Points along each axis of the box")->group(group);
   add_box_option(app, options.box, "of the grid, in the sequence's unit; without it, of all probes")->group(group);
-  add_one_of(app, "--bands", options.bands, baked_bands(),
-             "Bands of the coefficients: 3 for diffuse light, 5 for glossy")
+  add_one_of(app, "--bands", options.bands, baked_bands, "Bands of the coefficients: 3 for diffuse light, 5 for glossy")
       ->group(group);
   app.add_flag("--gradients", options.gradients,
                "Spatial gradients as well, for Hermite interpolation: four times the memory")
@@ -41,18 +42,14 @@ void add_resampling_options(CLI::App& app, Options& options, Estimate& estimate)
     return *options.thinning;
   };
   CLI::Option* thin =
-      app.add_option_function<float>(
-             "--thin", [thinning](const float& difference) { thinning().difference = difference; },
-             "Leave out probes that differ by no more than this from the last kept and from the next, as energy of the "
-             "difference over the mean energy")
-          ->type_name("0...2")
-          ->check(between(0.0f, 2.0f, "0...2"))
+      add_number_function(
+          app, "--thin", [thinning](float difference) { thinning().difference = difference; }, 0.0f, 2.0f, "0...2",
+          "Leave out probes that differ by no more than this from the last kept and from the next, as energy of the "
+          "difference over the mean energy")
           ->group(group);
-  app.add_option_function<float>(
-         "--thin-distance", [thinning](const float& distance) { thinning().distance = distance; },
-         "Only where both are as near as this, in the sequence's unit")
-      ->type_name("0...1e6")
-      ->check(between(0.0f, 1e6f, "0...1e6"))
+  add_number_function(
+      app, "--thin-distance", [thinning](float distance) { thinning().distance = distance; }, 0.0f, 1e6f, "0...1e6",
+      "Only where both are as near as this, in the sequence's unit")
       ->needs(thin)
       ->group(group);
 }
@@ -100,6 +97,7 @@ CommandLine<Options> parse_command_line(int argc, char** argv) {
   add_resampling_options(app, options, estimate);
   add_output_options(app, options);
   line.exit_status = parse(app, argc, argv);
+  if (line.exit_status) return line;
   if (estimate == Estimate::mean) options.resampling.slope_damping = std::numeric_limits<float>::infinity();
   if (options.path == Path::space && options.gradients) throw InputError("--gradients: the paper's steps have none");
   if (options.work.empty()) options.work = options.out + ".work";

@@ -39,9 +39,6 @@ struct Options {
   bool quiet = false;
 };
 
-/// --bands' choice.
-std::vector<int> baked_bands();
-
 /// Throws InputError with one line about what is wrong.
 CommandLine<Options> parse_command_line(int argc, char** argv);
 

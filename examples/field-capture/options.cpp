@@ -26,11 +26,10 @@ void add_picture_options(CLI::App& app, Options& options) {
   add_number(app, "--size", options.side, 8, 4096, "8...4096", "Height in texels; faces of cubes have half as many")
       ->group(group);
   add_choice(app, "--mapping", mapping_names(), options.mapping, "Which texel is which direction")->group(group);
-  app.add_option("--sphere-radius", options.sphere_radius,
-                 "Of the mirror sphere, whose surface rays start on; 0 is one viewpoint, as of all other mappings. "
-                 "Without it 0.05")
-      ->type_name("0...1 metres")
-      ->check(between(0.0f, 1.0f, "0...1 metres"))
+  add_number_function(
+      app, "--sphere-radius", [&options](float radius) { options.sphere_radius = radius; }, 0.0f, 1.0f, "0...1 metres",
+      "Of the mirror sphere, whose surface rays start on; 0 is one viewpoint, as of all other mappings. Without it "
+      "0.05")
       ->group(group);
   add_number(app, "--dead-angle", options.dead_angle, 0.0f, 90.0f, "0...90 degrees",
              "About what is right behind a mirror sphere, which does not show it")

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string_view>
 
+#include <zonal/scalar/index.hpp>
+
 #include "shared/input_error.hpp"
 #include "shared/random.hpp"
 #include "shared/statements.hpp"
@@ -11,13 +13,28 @@
 namespace example::field_capture {
 namespace {
 
-/// How many along each of some axes, so that all are about `count` and as far apart on each.
+/// How many along each of some axes, so that all are about `count` and as far apart on each; one along an axis too
+/// short for that, which leaves the others their distance.
 template <int Axes>
 glm::vec<Axes, int> counts_along(const glm::vec<Axes, float>& sides, int count) {
-  float volume = 1.0f;
-  for (int axis = 0; axis < Axes; ++axis) volume *= sides[axis];
-  const float density = std::pow(static_cast<float>(count) / volume, 1.0f / Axes);
-  return glm::max(glm::vec<Axes, int>(glm::round(sides * density)), 1);
+  glm::vec<Axes, int> counts(1);
+  glm::vec<Axes, bool> is_long(true);
+  for (int pass = 0; pass < Axes; ++pass) {
+    double volume = 1.0;
+    int axes = 0;
+    for (int axis = 0; axis < Axes; ++axis) {
+      if (!is_long[axis]) continue;
+      volume *= static_cast<double>(sides[axis]);
+      ++axes;
+    }
+    const double density = axes > 0 ? std::pow(count / volume, 1.0 / axes) : 0.0;
+    for (int axis = 0; axis < Axes; ++axis) {
+      const double along = std::round(static_cast<double>(sides[axis]) * density);
+      is_long[axis] = is_long[axis] && along >= 1.0;
+      counts[axis] = is_long[axis] ? zonal::detail::index_below(along, count) : 1;
+    }
+  }
+  return counts;
 }
 
 /// From face to face; a single one in the middle.
@@ -87,6 +104,9 @@ std::vector<glm::vec3> read_positions(const std::filesystem::path& path) {
                                              number_in(next_word(rest))};
     if (!numbers[0] || !numbers[1] || !numbers[2] || !without_blanks(rest).empty()) {
       throw InputError(path.string() + ": line " + std::to_string(line->line) + " is no position x y z");
+    }
+    if (!(std::abs(*numbers[0]) <= 1e8 && std::abs(*numbers[1]) <= 1e8 && std::abs(*numbers[2]) <= 1e8)) {
+      throw InputError(path.string() + ": line " + std::to_string(line->line) + " is beyond 1e8");
     }
     positions.emplace_back(*numbers[0], *numbers[1], *numbers[2]);
   }

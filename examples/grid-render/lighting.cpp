@@ -56,11 +56,6 @@ std::unique_ptr<LightGrid> load_light_grid(const std::filesystem::path& path, co
   }
 }
 
-std::vector<int> lighting_bands(Shape shape) {
-  const auto list = [](const auto& numbers) { return std::vector<int>(std::begin(numbers), std::end(numbers)); };
-  return shape == Shape::spheres ? list(AllBands::numbers) : list(TriangleBands::numbers);
-}
-
 std::size_t grid_bytes(int bands, const glm::ivec3& resolution, GridContent content) {
   const int blocks = content == GridContent::values ? 1 : 4;
   return sizeof(float) * static_cast<std::size_t>(blocks * 3 * bands * bands) *

@@ -62,9 +62,6 @@ std::unique_ptr<Lighting> make_lighting(Shape shape, const SphereLights& lights,
 /// A grid from a file, of these bands and this box. Throws InputError.
 std::unique_ptr<LightGrid> load_light_grid(const std::filesystem::path& path, const Bounds& box, int bands);
 
-/// The numbers of bands that are compiled in: each costs compile time. Those of spheres are all there are.
-std::vector<int> lighting_bands(Shape shape);
-
 /// Bytes that a grid's floats take.
 std::size_t grid_bytes(int bands, const glm::ivec3& resolution, GridContent content);
 

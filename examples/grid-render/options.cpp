@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "lighting.hpp"
+#include "band_list.hpp"
 #include "option_names.hpp"
 #include "shared/command_line.hpp"
 #include "shared/input_error.hpp"
@@ -56,12 +56,9 @@ void add_light_options(CLI::App& app, Options& options) {
   add_number(app, "--texture-size", options.texture_size, 1, 512, "1...512", "Texels on the longer side")
       ->group(group)
       ->needs(texture);
-  const std::string range = "0...1000";
-  app.add_option_function<float>(
-         "--quadtree-error", [&options](const float& bound) { options.quadtree_error = bound; },
-         "One light for a block of texels that differ from its mean by at most so much of the picture's mean")
-      ->type_name(range)
-      ->check(between(0.0f, 1000.0f, range))
+  add_number_function(
+      app, "--quadtree-error", [&options](float bound) { options.quadtree_error = bound; }, 0.0f, 1000.0f, "0...1000",
+      "One light for a block of texels that differ from its mean by at most so much of the picture's mean")
       ->group(group)
       ->needs(texture);
 }
@@ -137,6 +134,11 @@ void check(const Options& options) {
 }
 
 }  // namespace
+
+std::vector<int> lighting_bands(Shape shape) {
+  const auto list = [](const auto& numbers) { return std::vector<int>(std::begin(numbers), std::end(numbers)); };
+  return shape == Shape::spheres ? list(AllBands::numbers) : list(TriangleBands::numbers);
+}
 
 CommandLine<Options> parse_command_line(int argc, char** argv) {
   CommandLine<Options> line;

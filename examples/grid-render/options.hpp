@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <glm/glm.hpp>
 #include <zonal/grid/interpolation_weights.hpp>
@@ -41,6 +42,10 @@ struct Options : CommonOptions {
 
   bool is_planned() const { return tolerance > 0.0; }
 };
+
+/// The numbers of bands that are compiled in: each costs compile time. Those of spheres are all there are.
+std::vector<int> lighting_bands(Shape shape);
+inline constexpr int most_lobe_bands = 9;
 
 /// Throws InputError with one line about what is wrong.
 CommandLine<Options> parse_command_line(int argc, char** argv);

@@ -14,8 +14,6 @@
 
 namespace example::grid_render {
 
-inline constexpr int most_lobe_bands = 9;
-
 /// A glossy lobe as a zonal kernel about the mirrored view direction, times an albedo.
 ///
 /// The kernel is the lobe as seen from the normal, BRDF times cosine with a Fresnel reflectance of 1, divided by its

@@ -86,8 +86,4 @@ std::unique_ptr<Gatherer> make_gatherer(const GatherInput& input) {
   return gatherer;
 }
 
-std::vector<int> gather_bands() { return {compiled_bands.begin(), compiled_bands.end()}; }
-std::vector<int> zonal_bands() { return {compiled_zonal_bands.begin(), compiled_zonal_bands.end()}; }
-std::vector<int> emission_bands() { return {compiled_emission_bands.begin(), compiled_emission_bands.end()}; }
-
 }  // namespace example::hvl_render

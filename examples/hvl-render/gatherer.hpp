@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <vector>
 
 #include <glm/glm.hpp>
 
@@ -38,10 +37,5 @@ struct GatherInput {
 /// The options' method; not for paths. What `input` refers to must outlive it. Throws InputError for numbers of bands
 /// that are not compiled in.
 std::unique_ptr<Gatherer> make_gatherer(const GatherInput& input);
-
-/// The numbers of bands that are compiled in: each costs compile time.
-std::vector<int> gather_bands();
-std::vector<int> zonal_bands();
-std::vector<int> emission_bands();
 
 }  // namespace example::hvl_render

@@ -7,15 +7,20 @@
 #include <utility>
 #include <vector>
 
-#include "gatherer.hpp"
+#include "bands.hpp"
 #include "option_names.hpp"
-#include "planned_gather.hpp"
 #include "shared/command_line.hpp"
 #include "shared/input_error.hpp"
-#include "virtual_lights.hpp"
 
 namespace example::hvl_render {
 namespace {
+
+template <std::size_t Size>
+std::vector<int> listed(const std::array<int, Size>& numbers) {
+  return {numbers.begin(), numbers.end()};
+}
+std::vector<int> gather_bands() { return listed(compiled_bands); }
+std::vector<int> zonal_bands() { return listed(compiled_zonal_bands); }
 
 CLI::Validator radius_rule() {
   return validator([](const std::string& text) -> std::string {
@@ -59,11 +64,10 @@ void add_light_options(CLI::App& app, LightOverrides& light) {
   add_point(app, "--light", light.position, "Where the spotlight is")->group(scene_group);
   add_point(app, "--light-target", light.target, "What it points at")->group(scene_group);
   add_angle(app, "--light-angle", 178.0f, 0.5f, light.half_angle, "Full angle of its cone")->group(scene_group);
-  app.add_option_function<float>(
-         "--light-power", [&light](const float& watts) { light.power = watts; },
-         "What it sends into the cone, per colour channel; makes it white")
+  add_number_function(
+      app, "--light-power", [&light](float watts) { light.power = watts; }, 1e-6f, 1e12f, "1e-6...1e12 watts",
+      "What it sends into the cone, per colour channel; makes it white")
       ->type_name("WATTS")
-      ->check(between(1e-6f, 1e12f, "1e-6...1e12 watts"))
       ->group(scene_group);
 }
 
@@ -83,11 +87,10 @@ void add_virtual_light_options(CLI::App& app, Options& options) {
   CLI::Option* lights =
       add_number(app, "--lights", options.lights, 1, most_lights, "1...10000000", "How many; rounded up to a square")
           ->group(group);
-  app.add_option_function<double>(
-         "--time-budget", [&options](const double& seconds) { options.time_budget = seconds; },
-         "As many as can be shot and gathered in that time")
+  add_number_function(
+      app, "--time-budget", [&options](double seconds) { options.time_budget = seconds; }, 0.001, 1e6,
+      "0.001...1e6 seconds", "As many as can be shot and gathered in that time")
       ->type_name("SECONDS")
-      ->check(between(0.001, 1e6, "0.001...1e6 seconds"))
       ->excludes(lights)
       ->group(group);
   add_choice(app, "--visibility", visibility_names, options.centre_visibility,
@@ -122,7 +125,7 @@ void add_hvl_options(CLI::App& app, Options& options) {
              "Bands of the receiver's material: " + joined(gather_bands()) + " for hvl, " + joined(zonal_bands()) +
                  " for hvl-zonal")
       ->group(group);
-  add_one_of(app, "--emission-bands", options.emission_bands, emission_bands(),
+  add_one_of(app, "--emission-bands", options.emission_bands, listed(compiled_emission_bands),
              "hvl: bands of the light that a virtual light sends out")
       ->group(group);
   add_choice(
@@ -169,7 +172,7 @@ void check_plan(const CLI::App& app, Options& options) {
     if (app.count(option) > 0 && !options.is_planned())
       throw InputError(std::string(option) + " means nothing without --tolerance");
   }
-  if (options.is_planned() && !is_plannable(options.bands)) {
+  if (options.is_planned() && !contains(compiled_planned_bands, options.bands)) {
     throw InputError("--tolerance: not for --bands " + std::to_string(options.bands) +
                      ": these numbers of bands are not compiled in");
   }
@@ -225,6 +228,12 @@ void check_bands(const Options& options) {
 }
 
 }  // namespace
+
+int block_side(const Options& options) { return options.blocks() ? options.vsgl_texels : 1; }
+
+int map_side(const Options& options) {
+  return static_cast<int>(std::ceil(std::sqrt(static_cast<double>(options.lights)))) * block_side(options);
+}
 
 CommandLine<Options> parse_command_line(int argc, char** argv) {
   CommandLine<Options> line;

@@ -65,6 +65,15 @@ struct Options : CommonOptions {
   bool needs_paths() const { return comparing() || method == Method::path; }
 };
 
+/// What --lights and a map can be at most: more texels would ask for gigabytes.
+inline constexpr int most_lights = 10000000;
+inline constexpr int most_texels_across = 3200;
+
+/// Texels along one side of what one light stands for.
+int block_side(const Options& options);
+/// The side of the square map for the options' lights: as many lights at least, or as many blocks.
+int map_side(const Options& options);
+
 /// Throws InputError with one line about what is wrong.
 CommandLine<Options> parse_command_line(int argc, char** argv);
 

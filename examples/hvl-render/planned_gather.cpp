@@ -46,8 +46,6 @@ double PlanFigures::full_seconds() const {
   return checked > 0 ? checked_seconds / static_cast<double>(checked) * static_cast<double>(hits) : 0.0;
 }
 
-bool is_plannable(int bands) { return contains(compiled_planned_bands, bands); }
-
 std::unique_ptr<PlannedGatherer> make_planned(const GatherInput& input, const ScenePlan& plan) {
   std::unique_ptr<PlannedGatherer> gatherer = make(input, plan);
   if (!gatherer) throw InputError("these numbers of bands are not compiled in");

@@ -50,9 +50,6 @@ class PlannedGatherer {
   virtual LightBytes bytes() const = 0;
 };
 
-/// Whether it is compiled in with so many bands at receivers.
-bool is_plannable(int bands);
-
 /// By the options' tolerance, for harmonics virtual lights.
 std::unique_ptr<PlannedGatherer> make_planned(const GatherInput& input, const ScenePlan& plan);
 

@@ -100,12 +100,6 @@ std::size_t MaterialTables::bytes() const {
   return sum;
 }
 
-int block_side(const Options& options) { return options.blocks() ? options.vsgl_texels : 1; }
-
-int map_side(const Options& options) {
-  return static_cast<int>(std::ceil(std::sqrt(static_cast<double>(options.lights)))) * block_side(options);
-}
-
 int greatest_side(const Options& options) {
   const int most = static_cast<int>(std::sqrt(static_cast<double>(most_lights)));
   return std::min(most, most_texels_across / block_side(options));

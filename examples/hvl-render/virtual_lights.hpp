@@ -79,18 +79,8 @@ struct VirtualLightMap {
   std::vector<zonal::VirtualLight> bodies;  // and here what the body does; empty where there are none
 };
 
-/// The side of the square map for the options' lights: as many lights at least, or as many blocks.
-int map_side(const Options& options);
-
-/// What --lights and a map can be at most: more texels would ask for gigabytes.
-inline constexpr int most_lights = 10000000;
-inline constexpr int most_texels_across = 3200;
-
 /// The greatest map of the options' method, as the square root of --lights.
 int greatest_side(const Options& options);
-
-/// Texels along one side of what one light stands for.
-int block_side(const Options& options);
 
 VirtualLightMap shoot_virtual_lights(const Scene& scene, const RayCaster& caster, const MaterialTables& tables,
                                      const Options& options);

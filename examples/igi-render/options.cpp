@@ -3,12 +3,13 @@
 #include <array>
 
 #include "option_names.hpp"
-#include "shaded_picture.hpp"
 #include "shared/command_line.hpp"
 #include "shared/input_error.hpp"
 
 namespace example::igi_render {
 namespace {
+
+const std::vector<int> shaded_bands{2, 3, 4, 5};  // with_bands has a case for each
 
 bool parse_pattern(const std::string& text, zonal::InterleavedPattern& pattern) {
   std::array<int, 2> sides{};
@@ -35,7 +36,7 @@ void add_filter_options(CLI::App& app, Options& options) {
       ->check(pattern_size())
       ->default_str("4x4")
       ->group(group);
-  add_one_of(app, "--bands", options.bands, shaded_bands(), "Bands of the incident radiance")->group(group);
+  add_one_of(app, "--bands", options.bands, shaded_bands, "Bands of the incident radiance")->group(group);
   add_choice(app, "--window", window_names, options.window, "What tames the ringing of these bands on what is glossy")
       ->group(group);
   app.add_flag("--half", options.half, "Keep what is filtered in 16 bits")->group(group);

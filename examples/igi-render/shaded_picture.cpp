@@ -213,7 +213,7 @@ template <int N>
 using Bands = std::integral_constant<int, N>;
 template <class Call>
 auto with_bands(int bands, const Call& call) {
-  switch (bands) {
+  switch (bands) {  // what --bands offers
     case 2: return call(Bands<2>{});
     case 4: return call(Bands<4>{});
     case 5: return call(Bands<5>{});
@@ -254,11 +254,6 @@ double lights_of(const ScreenScene& screen) {
 }
 
 }  // namespace
-
-const std::vector<int>& shaded_bands() {
-  static const std::vector<int> bands{2, 3, 4, 5};
-  return bands;
-}
 
 double pass_cost(const ScreenScene& screen) {
   return static_cast<double>(screen.hits.pixel_count()) * (1.0 + lights_of(screen) / double(screen.sets.size()));

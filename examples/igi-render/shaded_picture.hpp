@@ -10,9 +10,6 @@
 
 namespace example::igi_render {
 
-/// The numbers of bands that there are.
-const std::vector<int>& shaded_bands();
-
 /// What a filter did.
 struct Pass {
   std::string name;

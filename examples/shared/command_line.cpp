@@ -37,7 +37,8 @@ std::string version(const std::string& program) {
 /// x,y,z,x,y,z
 bool parse_box(const std::string& text, Bounds& box) {
   std::array<float, 6> n{};
-  if (!parse_numbers(text, ',', n)) return false;
+  const auto is_finite = [](float x) { return std::isfinite(x); };
+  if (!parse_numbers(text, ',', n) || !std::all_of(n.begin(), n.end(), is_finite)) return false;
   box = {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
   return true;
 }
@@ -134,16 +135,18 @@ CLI::Option* add_resolution_option(CLI::App& app, glm::ivec3& resolution, int mo
 
 CLI::Option* add_angle(CLI::App& app, const std::string& name, float greatest_degrees, float scale,
                        std::optional<float>& radians, const std::string& help) {
-  const auto assign = [&radians, scale](const float& degrees) { radians = scale * glm::radians(degrees); };
+  const auto assign = [&radians, scale](float degrees) { radians = scale * glm::radians(degrees); };
   const std::string range = "1..." + std::to_string(static_cast<int>(greatest_degrees)) + " degrees";
-  return app.add_option_function<float>(name, assign, help)
-      ->type_name(range)
-      ->check(between(1.0f, greatest_degrees, range));
+  return add_number_function(app, name, assign, 1.0f, greatest_degrees, range, help);
 }
 
 CLI::Option* add_one_of(CLI::App& app, const std::string& name, int& number, const std::vector<int>& allowed,
                         const std::string& help) {
-  return app.add_option(name, number, help)->type_name(joined(allowed))->check(one_of(allowed))->capture_default_str();
+  const auto assign = [&number](const std::string& text) { parse_number(text, number); };
+  return app.add_option_function<std::string>(name, assign, help)
+      ->type_name(joined(allowed))
+      ->check(one_of(allowed))
+      ->default_str(std::to_string(number));
 }
 
 CLI::Option* add_compare_option(CLI::App& app, CommonOptions& options, const std::string& help) {

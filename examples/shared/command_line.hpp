@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,28 @@ CLI::Validator between(Number least, Number greatest, const std::string& text) {
   });
 }
 
+template <class Number>
+std::string shown(const Number& number) {
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
+/// An option of one number within bounds, to assign(number); `range` is how they read. CLI11's own conversion would
+/// take 010 for eight.
+template <class Number, class Assign>
+CLI::Option* add_number_function(CLI::App& app, const std::string& name, const Assign& assign, Number least,
+                                 Number greatest, const std::string& range, const std::string& help) {
+  const auto parse_and_assign = [assign](const std::string& text) {
+    Number number{};
+    parse_number(text, number);
+    assign(number);
+  };
+  return app.add_option_function<std::string>(name, parse_and_assign, help)
+      ->type_name(range)
+      ->check(between(least, greatest, range));
+}
+
 CLI::Validator not_empty();
 CLI::Validator image_name();  // .png or .exr
 CLI::Validator one_of(const std::vector<int>& allowed);
@@ -77,10 +100,9 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, const Names<Valu
 template <class Number>
 CLI::Option* add_number(CLI::App& app, const std::string& name, Number& number, Number least, Number greatest,
                         const std::string& range, const std::string& help) {
-  return app.add_option(name, number, help)
-      ->type_name(range)
-      ->check(between(least, greatest, range))
-      ->capture_default_str();
+  return add_number_function(
+             app, name, [&number](Number given) { number = given; }, least, greatest, range, help)
+      ->default_str(shown(number));
 }
 
 /// A point x,y,z in metres.

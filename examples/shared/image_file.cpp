@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -23,31 +24,44 @@
 namespace example {
 namespace {
 
-/// What stb_image gives is freed by it.
-template <class Sample>
-using StbSamples = std::unique_ptr<Sample, decltype(&stbi_image_free)>;
+/// A few bytes may say that they are any number of pixels, of which each takes memory.
+void check_size(const std::filesystem::path& path, std::int64_t width, std::int64_t height, std::int64_t most) {
+  if (width <= most && height <= most && width * height <= most) return;
+  throw InputError(path.string() + ": is of " + std::to_string(width) + "x" + std::to_string(height) +
+                   " pixels, more than " + std::to_string(most));
+}
 
 template <class Sample>
 struct StbPicture {
-  int width = 0, height = 0, channels = 0;
-  StbSamples<Sample> samples{nullptr, &stbi_image_free};
-
-  std::size_t size() const {
-    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(channels);
-  }
+  int width = 0, height = 0;
+  std::vector<Sample> samples;
 };
 
-/// By a function of stb_image; with so many channels, whatever the file has.
+/// PNM of 16 bits: of these stb_image 2.27 reads beyond its memory, and takes their bytes in the wrong order.
+bool is_long_pnm(const std::string& path) {
+  char magic[2] = {};
+  std::ifstream(path, std::ios::binary).read(magic, 2);
+  return magic[0] == 'P' && stbi_is_16_bit(path.c_str()) != 0;
+}
+
+/// By a function of stb_image; with 1 or 3 channels, whatever the file has.
 template <class Sample>
 StbPicture<Sample> read_by_stb(const std::string& path, Sample* (*load)(const char*, int*, int*, int*, int),
-                               int channels) {
-  StbPicture<Sample> picture;
-  int in_file = 0;
-  picture.samples.reset(load(path.c_str(), &picture.width, &picture.height, &in_file, channels));
-  if (!picture.samples) {
-    throw InputError(path + ": cannot be read as a picture (" + one_line(stbi_failure_reason()) + ")");
+                               int channels, std::int64_t most_pixels) {
+  if (is_long_pnm(path)) throw InputError(path + ": is PNM of 16 bits, which is not read; PNG is");
+  int width = 0, height = 0, in_file = 0;
+  if (stbi_info(path.c_str(), &width, &height, &in_file) != 0) check_size(path, width, height, most_pixels);
+  const std::unique_ptr<Sample, decltype(&stbi_image_free)> read(load(path.c_str(), &width, &height, &in_file, 0),
+                                                                 &stbi_image_free);
+  if (!read) throw InputError(path + ": cannot be read as a picture (" + one_line(stbi_failure_reason()) + ")");
+  if (width < 1 || height < 1) throw InputError(path + ": has no pixels");
+  StbPicture<Sample> picture{width, height, {}};
+  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  picture.samples.reserve(pixels * static_cast<std::size_t>(channels));
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const Sample* pixel = read.get() + i * static_cast<std::size_t>(in_file);
+    for (int c = 0; c < channels; ++c) picture.samples.push_back(pixel[in_file < 3 ? 0 : c]);
   }
-  picture.channels = channels;
   return picture;
 }
 
@@ -56,7 +70,7 @@ template <class Sample, class Value>
 Image image_of(const StbPicture<Sample>& picture, const Value& value) {
   Image image(picture.width, picture.height);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    const Sample* pixel = picture.samples.get() + 3 * i;
+    const Sample* pixel = picture.samples.data() + 3 * i;
     image.pixels[i] = value(glm::vec3(pixel[0], pixel[1], pixel[2]));
   }
   return image;
@@ -64,8 +78,8 @@ Image image_of(const StbPicture<Sample>& picture, const Value& value) {
 
 template <class Sample, class Value>
 std::vector<float> floats_of(const StbPicture<Sample>& picture, const Value& value) {
-  std::vector<float> floats(picture.size());
-  std::transform(picture.samples.get(), picture.samples.get() + picture.size(), floats.begin(), value);
+  std::vector<float> floats(picture.samples.size());
+  std::transform(picture.samples.begin(), picture.samples.end(), floats.begin(), value);
   return floats;
 }
 
@@ -75,16 +89,14 @@ const std::vector<const char*> colour_channels{"R", "G", "B"}, grey_channel{"Y"}
 
 /// The frame buffer that OpenEXR reads from and writes to, for an image whose first pixel is `origin`. names: the
 /// channels in the file of red, green and blue, as far as they are there.
-Imf::FrameBuffer frame_buffer(Image& image, int origin_x, int origin_y, const std::vector<const char*>& names) {
+Imf::FrameBuffer frame_buffer(Image& image, const Imath::V2i& origin, const std::vector<const char*>& names) {
   Imf::FrameBuffer buffer;
   const std::size_t pixel_stride = sizeof(glm::vec3);
   const std::size_t row_stride = pixel_stride * static_cast<std::size_t>(image.width);
   for (std::size_t channel = 0; channel < names.size(); ++channel) {
-    float* first = &image.pixels.front()[static_cast<int>(channel)];
-    // OpenEXR addresses by absolute pixel coordinates.
-    char* base = reinterpret_cast<char*>(first) - static_cast<std::ptrdiff_t>(pixel_stride) * origin_x -
-                 static_cast<std::ptrdiff_t>(row_stride) * origin_y;
-    buffer.insert(names[channel], Imf::Slice(Imf::FLOAT, base, pixel_stride, row_stride));
+    const float* first = &image.pixels.front()[static_cast<int>(channel)];
+    buffer.insert(names[channel],
+                  Imf::Slice::Make(Imf::FLOAT, first, origin, image.width, image.height, pixel_stride, row_stride));
   }
   return buffer;
 }
@@ -95,25 +107,32 @@ bool has_channels(const Imf::InputFile& file, const std::vector<const char*>& na
                      [&](const char* name) { return channels.findChannel(name) != nullptr; });
 }
 
-Image image_of(const Imath::Box2i& window) {
-  return {window.max.x - window.min.x + 1, window.max.y - window.min.y + 1};
+Image image_of(const std::filesystem::path& path, const Imath::Box2i& window, std::int64_t most_pixels) {
+  const std::int64_t width = std::int64_t{1} + window.max.x - window.min.x;
+  const std::int64_t height = std::int64_t{1} + window.max.y - window.min.y;
+  check_size(path, width, height, most_pixels);
+  return {static_cast<int>(width), static_cast<int>(height)};
 }
 
-Image read_channels(Imf::InputFile& file, const std::vector<const char*>& names) {
+Image read_channels(const std::filesystem::path& path, Imf::InputFile& file, const std::vector<const char*>& names,
+                    std::int64_t most_pixels) {
   const Imath::Box2i window = file.header().dataWindow();
-  Image image = image_of(window);
-  file.setFrameBuffer(frame_buffer(image, window.min.x, window.min.y, names));
+  Image image = image_of(path, window, most_pixels);
+  file.setFrameBuffer(frame_buffer(image, window.min, names));
   file.readPixels(window.min.y, window.max.y);
   return image;
 }
 
 /// Chroma of a quarter of the pixels, which OpenEXR itself turns into colours, in half precision.
-Image read_luminance_chroma(const std::filesystem::path& path) {
+Image read_luminance_chroma(const std::filesystem::path& path, std::int64_t most_pixels) {
   Imf::RgbaInputFile file(path.c_str());
   const Imath::Box2i window = file.dataWindow();
-  Image image = image_of(window);
+  Image image = image_of(path, window, most_pixels);
   std::vector<Imf::Rgba> pixels(image.pixels.size());
-  file.setFrameBuffer(pixels.data() - window.min.x - window.min.y * image.width, 1,
+  // OpenEXR addresses by absolute pixel coordinates: where pixel (0, 0) would be, which may be nowhere.
+  const std::intptr_t before = window.min.x + std::intptr_t{window.min.y} * image.width;
+  const auto first = reinterpret_cast<std::uintptr_t>(pixels.data());
+  file.setFrameBuffer(reinterpret_cast<Imf::Rgba*>(first - static_cast<std::uintptr_t>(before) * sizeof(Imf::Rgba)), 1,
                       static_cast<std::size_t>(image.width));
   file.readPixels(window.min.y, window.max.y);
   std::transform(pixels.begin(), pixels.end(), image.pixels.begin(),
@@ -153,7 +172,7 @@ std::string exr_bytes(const Image& radiance) {
   {
     // Its destructor completes the file.
     Imf::OutputFile file(stream, header);
-    file.setFrameBuffer(frame_buffer(pixels, 0, 0, colour_channels));
+    file.setFrameBuffer(frame_buffer(pixels, {0, 0}, colour_channels));
     file.writePixels(radiance.height);
   }
   return stream.str();
@@ -163,14 +182,14 @@ std::string picture_bytes(const std::filesystem::path& path, const Image& radian
   return is_exr(path) ? exr_bytes(radiance) : png_bytes(encode(radiance, display));
 }
 
-Image read_exr(const std::filesystem::path& path) {
+Image read_exr(const std::filesystem::path& path, std::int64_t most_pixels) {
   check_is_file(path);
   try {
     Imf::InputFile file(path.c_str());
-    if (has_channels(file, colour_channels)) return read_channels(file, colour_channels);
+    if (has_channels(file, colour_channels)) return read_channels(path, file, colour_channels, most_pixels);
     if (!has_channels(file, grey_channel)) throw InputError(path.string() + ": has no channels R, G and B, nor Y");
-    if (has_channels(file, chroma_channels)) return read_luminance_chroma(path);
-    Image image = read_channels(file, grey_channel);
+    if (has_channels(file, chroma_channels)) return read_luminance_chroma(path, most_pixels);
+    Image image = read_channels(path, file, grey_channel, most_pixels);
     for (glm::vec3& pixel : image.pixels) pixel = glm::vec3(pixel.x);
     return image;
   } catch (const InputError&) {
@@ -180,23 +199,24 @@ Image read_exr(const std::filesystem::path& path) {
   }
 }
 
-Image read_picture(const std::filesystem::path& path) {
-  if (is_exr(path)) return read_exr(path);
+Image read_picture(const std::filesystem::path& path, std::int64_t most_pixels) {
+  if (is_exr(path)) return read_exr(path, most_pixels);
   check_is_file(path);
   const std::string name = path.string();
   if (stbi_is_hdr(name.c_str()) != 0) {
-    return image_of(read_by_stb(name, stbi_loadf, 3), [](const glm::vec3& radiance) { return radiance; });
+    return image_of(read_by_stb(name, stbi_loadf, 3, most_pixels), [](const glm::vec3& radiance) { return radiance; });
   }
-  return image_of(read_by_stb(name, stbi_load, 3), [](const glm::vec3& bytes) { return decode_srgb(bytes / 255.0f); });
+  return image_of(read_by_stb(name, stbi_load, 3, most_pixels),
+                  [](const glm::vec3& bytes) { return decode_srgb(bytes / 255.0f); });
 }
 
 bool is_encoded_for_display(const std::filesystem::path& path) {
   return !is_exr(path) && stbi_is_hdr(path.string().c_str()) == 0;
 }
 
-Texture read_texture(const std::filesystem::path& path, TextureUse use) {
+Texture read_texture(const std::filesystem::path& path, TextureUse use, std::int64_t most_pixels) {
   if (is_exr(path)) {
-    Image image = read_exr(path);
+    Image image = read_exr(path, most_pixels);
     blacken_non_finite(image);
     std::vector<float> linear;
     for (const glm::vec3& pixel : image.pixels) linear.insert(linear.end(), {pixel.r, pixel.g, pixel.b});
@@ -208,19 +228,18 @@ Texture read_texture(const std::filesystem::path& path, TextureUse use) {
   stbi_info(name.c_str(), &width, &height, &in_file);
   const int channels = in_file < 3 ? 1 : 3;
   if (stbi_is_hdr(name.c_str()) != 0) {
-    const auto picture = read_by_stb(name, stbi_loadf, channels);
+    const auto picture = read_by_stb(name, stbi_loadf, channels, most_pixels);
     return {picture.width, picture.height, channels, floats_of(picture, [](float value) { return value; })};
   }
   if (stbi_is_16_bit(name.c_str()) != 0) {
-    const auto picture = read_by_stb(name, stbi_load_16, channels);
+    const auto picture = read_by_stb(name, stbi_load_16, channels, most_pixels);
     return {picture.width, picture.height, channels, floats_of(picture, [use](stbi_us sample) {
               const float share = static_cast<float>(sample) / 65535.0f;
               return use == TextureUse::colour ? decode_srgb(glm::vec3(share)).r : share;
             })};
   }
-  const auto picture = read_by_stb(name, stbi_load, channels);
-  return {
-      picture.width, picture.height, channels, {picture.samples.get(), picture.samples.get() + picture.size()}, use};
+  StbPicture<std::uint8_t> picture = read_by_stb(name, stbi_load, channels, most_pixels);
+  return {picture.width, picture.height, channels, std::move(picture.samples), use};
 }
 
 }  // namespace example

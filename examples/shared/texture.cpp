@@ -31,7 +31,8 @@ struct Neighbours {
 };
 
 Neighbours neighbours(float place, int size, bool clamped) {
-  const float inside = clamped ? glm::clamp(place, 0.0f, 1.0f) : place - std::floor(place);
+  float inside = clamped ? glm::clamp(place, 0.0f, 1.0f) : place - std::floor(place);
+  if (!(inside >= 0.0f)) inside = 0.0f;  // of no number
   const float texels = inside * static_cast<float>(size) - 0.5f;
   const float below = std::floor(texels);
   const auto at = [&](int i) {

@@ -1,7 +1,6 @@
-// libFuzzer on every reader of files of the library, and on OBJ with MTL of the programs: whatever stands in a file, it
-// is read or refused, by the errors stated, without a report of the sanitizers. The first byte chooses the reader.
-//
-//   ZONAL_SEEDS=<folder> readers ...   writes small valid files there first
+// Every reader of files of the library, and those of the programs: OBJ with MTL, pictures, positions, plans.
+#include "targets.hpp"
+
 #include <zonal/field/sample_file.hpp>
 #include <zonal/field/sequence.hpp>
 #include <zonal/grid/grid_file.hpp>
@@ -11,89 +10,27 @@
 #include <zonal/material/rgl.hpp>
 
 #include <cstdint>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
-#include <functional>
 #include <iterator>
 #include <string>
 #include <vector>
 
-#include <unistd.h>
-
+#include "../../examples/field-capture/positions.hpp"
+#include "../../examples/shared/image_file.hpp"
 #include "../../examples/shared/input_error.hpp"
+#include "../../examples/shared/mtl_file.hpp"
 #include "../../examples/shared/obj_file.hpp"
+#include "../../tools/zonal-glsl/plan_file.hpp"
+#include "../../tools/zonal-glsl/request.hpp"
 #include "../material/tensor_writer.hpp"
 
+namespace fuzz {
 namespace {
 
 using Path = std::filesystem::path;
 
-struct Reader {
-  bool ends_in_checksum;  // which is put right, or hardly any input would come past it
-  std::function<void(const Path&)> read, write_seed;
-};
-
-void write_text(const Path& path, const std::string& text) {
-  std::ofstream(path, std::ios::binary).write(text.data(), std::streamsize(text.size()));
-}
-
 void ask(const zonal::RglBrdf& brdf) {
   for (const double x : {-0.6, 0.0, 0.6}) brdf({x, 0, 0.8}, {0, 0.6, 0.8});
-}
-
-const std::vector<Reader>& readers() {
-  static const std::vector<Reader> all{
-      {true, [](const Path& p) { zonal::load_grid<2>(p); },
-       [](const Path& p) {
-         save_grid(p, zonal::CoefficientGrid<2>({0, 0, 0}, {1, 1, 1}, {2, 2, 2}));
-       }},
-      {true, [](const Path& p) { zonal::load_grid<1, zonal::GridContent::values>(p); },
-       [](const Path& p) {
-         const zonal::CoefficientGrid<1, zonal::GridContent::values> grid({0, 0, 0}, {1, 1, 1}, {2, 3, 2});
-         save_grid(p, grid, zonal::GridNumbers::halves);
-       }},
-      {true, [](const Path& p) { zonal::load_visibility(p); },
-       [](const Path& p) {
-         save_visibility(p, zonal::GridVisibility({0, 0, 0}, {1, 1, 1}, {2, 2, 2}, 1));
-       }},
-      {true, [](const Path& p) { zonal::load_material_table(p).with_cosine<2>(0.5F); },
-       [](const Path& p) {
-         const std::vector<glm::vec3> rows(3, glm::vec3(1));
-         save_material_table(p, zonal::MaterialTable(2, 1, 0.0, rows, zonal::MirroredRows(rows)));
-       }},
-      {false,
-       [](const Path& p) {
-         zonal::SampleFile file(p);
-         const auto probes = file.header().probes;
-         std::vector<zonal::RadianceSample> samples(zonal::SampleBlock::most_buckets * probes);
-         if (file.header().buckets > 0) file.read_block(0, samples.data(), probes);
-       },
-       [](const Path& p) {
-         const std::vector<zonal::RadianceSample> samples(6, {1, 2, 3});
-         zonal::write_samples(p, {0, 2, 3, 7}, samples.data());
-       }},
-      {false, [](const Path& p) { zonal::read_sequence(p); },
-       [](const Path& p) {
-         write_text(p,
-                    "# a comment\nmapping mirror sphere\nsphere-radius 0.1\ndead-angle 5 missing\norientation 1 0 0 0\n"
-                    "probe \"a b.exr\" 1 2.5 -3e-1\nprobe \"c\" 1 2 3 0 1 0 0\n");
-       }},
-      {false, [](const Path& p) { ask(zonal::load_rgl(p)); },
-       [](const Path& p) {
-         using namespace material_test;
-         write_text(p, tensor_file(rgl_tensors({0.3, 0.3}, {1, 2, 3, 3, 1, true})));
-       }},
-      {false, [](const Path& p) { zonal::load_merl(p); }, [](const Path& p) { write_text(p, "Z   Z   \xb4   "); }},
-      {false, [](const Path& p) { example::read_obj(p.string()); },
-       [](const Path& p) {
-         write_text(
-             p,
-             "mtllib a b.mtl\no box\ng left\nv 0 0 0\nv 1 0 0\nv 1 1 0 1\nv 0 1 0\nvt 0 0\nvn 0 0 1\nusemtl m\ns 1\n"
-             "f 1/1/1 2/1/1 \\\n3//1 -1\nf 1 2 3 # a comment\n");
-       }},
-  };
-  return all;
 }
 
 // The checksum of a file of the library's formats: FNV-1a by words.
@@ -109,35 +46,133 @@ std::string checksum_of(const std::string& file) {
   return bytes;
 }
 
-Path scratch() {
-  static const Path path = std::filesystem::temp_directory_path() / ("zonal_fuzz_" + std::to_string(::getpid()));
-  return path;
+/// What read(path) does not stand for, but by the errors that are stated.
+template <class Read>
+void refuse_or_read(const std::string& bytes, const char* extension, const Read& read) {
+  write_scratch(scratch(extension), bytes);
+  try {
+    read(scratch(extension));
+  } catch (const zonal::FileError&) {
+  } catch (const example::InputError&) {
+  } catch (const zonal_glsl::RequestError&) {
+  }
+}
+
+std::string content_of(const Path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+/// Of a file that ends in a checksum the checksum is put right, or hardly any input would come past it.
+template <class Read, class Write>
+Target checked(const char* name, const Read& read, const Write& write) {
+  write(scratch());
+  std::string seed = content_of(scratch());
+  seed.resize(seed.size() - 8);
+  return {name, [read](const std::string& bytes) { refuse_or_read(bytes + checksum_of(bytes), "", read); }, {seed}};
+}
+template <class Read>
+Target plain(const char* name, const Read& read, const std::vector<std::string>& seeds, const char* extension = "") {
+  return {name, [read, extension](const std::string& bytes) { refuse_or_read(bytes, extension, read); }, seeds};
+}
+
+/// Small ones, or a few bytes that stand for many pixels would take all the time.
+constexpr std::int64_t most_pixels = 1 << 16;
+
+std::vector<std::string> pictures_seen() {
+  example::Image image(4, 3);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = glm::vec3(0.1F * float(i), 0.5F, 1.0F);
+  const std::string hdr = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n\x80\x40\x20\x81\x10\x20\x30\x80";
+  const std::string ppm = "P6 2 1 255\nabcdef", pgm16 = std::string("P5 2 1 65535\nab\0d", 17);
+  return {example::png_bytes(image), hdr, ppm, pgm16};
+}
+std::vector<std::string> exr_seen() {
+  example::Image image(4, 3);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = glm::vec3(0.1F * float(i), 0.5F, 1.0F);
+  return {example::exr_bytes(image)};
 }
 
 }  // namespace
 
-extern "C" int LLVMFuzzerInitialize(int*, char***) {
-  const char* const folder = std::getenv("ZONAL_SEEDS");
-  for (std::size_t i = 0; folder != nullptr && i < readers().size(); ++i) {
-    readers()[i].write_seed(scratch());
-    std::ifstream file(scratch(), std::ios::binary);
-    std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    if (readers()[i].ends_in_checksum) bytes.resize(bytes.size() - 8);
-    write_text(Path(folder) / std::to_string(i), char(i) + bytes);
-  }
-  return 0;
+std::vector<Target> readers() {
+  using zonal::GridContent;
+  std::vector<Target> all{
+      checked(
+          "grid", [](const Path& p) { zonal::load_grid<2>(p); },
+          [](const Path& p) {
+            save_grid(p, zonal::CoefficientGrid<2>({0, 0, 0}, {1, 1, 1}, {2, 2, 2}));
+          }),
+      checked(
+          "grid-of-values", [](const Path& p) { zonal::load_grid<1, GridContent::values>(p); },
+          [](const Path& p) {
+            const zonal::CoefficientGrid<1, GridContent::values> grid({0, 0, 0}, {1, 1, 1}, {2, 3, 2});
+            save_grid(p, grid, zonal::GridNumbers::halves);
+          }),
+      checked(
+          "visibility", [](const Path& p) { zonal::load_visibility(p); },
+          [](const Path& p) {
+            save_visibility(p, zonal::GridVisibility({0, 0, 0}, {1, 1, 1}, {2, 2, 2}, 1));
+          }),
+      checked(
+          "material-table", [](const Path& p) { zonal::load_material_table(p).with_cosine<2>(0.5F); },
+          [](const Path& p) {
+            const std::vector<glm::vec3> rows(3, glm::vec3(1));
+            save_material_table(p, zonal::MaterialTable(2, 1, 0.0, rows, zonal::MirroredRows(rows)));
+          }),
+      plain("sequence", [](const Path& p) { zonal::read_sequence(p); },
+            {"# a comment\nmapping mirror sphere\nsphere-radius 0.1\ndead-angle 5 missing\norientation 1 0 0 0\n"
+             "probe \"a b.exr\" 1 2.5 -3e-1\nprobe \"c\" 1 2 3 0 1 0 0\n"}),
+      plain("rgl", [](const Path& p) { ask(zonal::load_rgl(p)); },
+            {material_test::tensor_file(material_test::rgl_tensors({0.3, 0.3}, {1, 2, 3, 3, 1, true}))}),
+      plain("merl", [](const Path& p) { zonal::load_merl(p); }, {"Z   Z   \xb4   "}),
+      plain("obj", [](const Path& p) { example::read_obj(p.string()); },
+            {"mtllib a b.mtl\no box\ng left\nv 0 0 0\nv 1 0 0\nv 1 1 0 1\nv 0 1 0\nvt 0 0\nvn 0 0 1\nusemtl m\ns 1\n"
+             "f 1/1/1 2/1/1 \\\n3//1 -1\nf 1 2 3 # a comment\n"}),
+      plain("mtl",
+            [](const Path& p) {
+              example::MtlLibrary library;
+              library.read(p);
+              library.find("m # x");
+            },
+            {"newmtl m\nKd 0.5 0.4 0.3\nKs 0.1 0.1 0.1\nNs 30\nPr 0.3\nPm 1\nillum 2\nKe 1 1 1\nd 0.5\n"
+             "map_Kd -s 2 2 2 -o 0.5 0 0 -clamp on a b.png\nnorm n.png\nmap_Bump -bm 0.3 \"b.png\"\n"}),
+      plain("positions", [](const Path& p) { example::field_capture::read_positions(p); },
+            {"# x y z\n1 2.5 -3e-1\n\n0 0 0 # a comment\n"}),
+      plain(
+          "plan",
+          [](const Path& p) {
+            const auto plan = zonal_glsl::read_plan(p.string());
+            require(!plan.receiving.empty() && (plan.coefficient_bits == 16 || plan.coefficient_bits == 32) &&
+                        (plan.emission_bands == 1 || plan.emission_bands == 3),
+                    "a plan is as its reader has it");
+          },
+          {R"({"plan": {"horizon": "none", "coefficient_bits": 16, "emission_bands": 2, "drawn_lights": true, "materials": [)"
+           R"({"receiving": {"symmetry": "zonal", "bands": 2, "left_out": []}}, )"
+           R"({"receiving": {"symmetry": "mirror", "bands": 3, "left_out": [[1, 0], [2, 1]]}}]}})"}),
+      plain(
+          "picture", [](const Path& p) { example::read_picture(p, most_pixels); }, pictures_seen()),
+      plain(
+          "texture",
+          [](const Path& p) {
+            const auto texture = example::read_texture(p, example::TextureUse::colour, most_pixels);
+            texture.at({0.3F, 1.7F}, false);
+          },
+          pictures_seen()),
+      plain(
+          "exr", [](const Path& p) { example::read_texture(p, example::TextureUse::colour, most_pixels); }, exr_seen(),
+          ".exr"),
+  };
+  const std::vector<zonal::RadianceSample> samples(6, {1, 2, 3});
+  zonal::write_samples(scratch(), {0, 2, 3, 7}, samples.data());
+  all.push_back(plain("samples",
+                      [](const Path& p) {
+                        zonal::SampleFile file(p);
+                        const auto probes = file.header().probes;
+                        std::vector<zonal::RadianceSample> block(zonal::SampleBlock::most_buckets * probes);
+                        if (file.header().buckets > 0) file.read_block(0, block.data(), probes);
+                      },
+                      {content_of(scratch())}));
+  return all;
 }
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size == 0) return 0;
-  const Reader& reader = readers()[data[0] % readers().size()];
-  std::string bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
-  if (reader.ends_in_checksum) bytes += checksum_of(bytes);
-  write_text(scratch(), bytes);
-  try {
-    reader.read(scratch());
-  } catch (const zonal::FileError&) {
-  } catch (const example::InputError&) {
-  }
-  return 0;
-}
+}  // namespace fuzz

@@ -13,7 +13,7 @@ refused("unknown layout" "--layout: 'line' is not one of grid.planes.random" --l
 foreach(probes 0 -1 many)
   refused("probes ${probes}" "--probes: '${probes}' is not in 1...1000000" --probes ${probes})
 endforeach()
-foreach(box 0,0,0 0,0,0,1,1 a,b,c,d,e,f 0,0,0,1,1,1,1)
+foreach(box 0,0,0 0,0,0,1,1 a,b,c,d,e,f 0,0,0,1,1,1,1 0,nan,0,1,1,1 0,0,0,1,1,inf)
   refused("box ${box}" "--box: '${box}' is not a box such as -0.5,1,2,0.5,2,3" --box ${box})
 endforeach()
 refused("box inside out" "--box: the low corner must be below the high one on every axis" --box 1,1,1,0,2,2)

@@ -3,6 +3,7 @@
 #include "field-capture/sequence.hpp"
 #include "field-capture/truth.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -13,6 +14,7 @@
 
 #include "catch.hpp"
 #include "field-capture/mirror_ball.hpp"
+#include "files.hpp"
 #include "shared/field_setup.hpp"
 #include "shared/image_file.hpp"
 #include "shared/input_error.hpp"
@@ -319,6 +321,40 @@ TEST_CASE("layouts: as many as asked for, in the box, and neighbours near each o
     }
     CHECK(furthest < (layout == Layout::planes ? 1.6f : 0.45f));  // from plane to plane it is far
   }
+}
+
+TEST_CASE("layouts: about as many as asked for in boxes flat and long, of any size") {
+  for (const glm::vec3& sides : {glm::vec3(1, 1, 1), glm::vec3(10, 10, 0.001F), glm::vec3(1e8F, 1e8F, 1e-8F),
+                                 glm::vec3(1e-8F, 1e8F, 1e-8F), glm::vec3(1e-30F), glm::vec3(1e30F, 1e-30F, 1)}) {
+    for (const Layout layout : {Layout::grid, Layout::planes, Layout::random}) {
+      for (const int probes : {1, 30, 1000}) {
+        Options options;
+        options.layout = layout;
+        options.probes = probes;
+        const auto count = probe_positions(options, {-0.5F * sides, 0.5F * sides}).size();
+        CAPTURE(sides.x, sides.y, sides.z, int(layout), probes, count);
+        CHECK((std::max(probes / 3, 1) <= int(count) && int(count) <= 3 * probes + 2));
+      }
+    }
+  }
+}
+
+TEST_CASE("positions of a file: up to 1e8, three a line, and what is none is told with its line") {
+  const file_test::Folder folder;
+  const auto error_of = [&](const std::string& text) -> std::string {
+    file_test::write(folder.path / "p.txt", text);
+    try {
+      read_positions(folder.path / "p.txt");
+    } catch (const InputError& failure) {
+      return failure.what();
+    }
+    return "";
+  };
+  CHECK(error_of("# two\n1 2 3\n-1e8 1e8 0.5\n").empty());
+  CHECK(file_test::contains(error_of("1 2 3\n1 2\n"), "p.txt: line 2 is no position x y z"));
+  CHECK(file_test::contains(error_of("1 2 3\n\n1 2 1e300\n"), "p.txt: line 3 is beyond 1e8"));
+  CHECK(file_test::contains(error_of("nan 2 3\n"), "p.txt: line 1 is no position x y z"));
+  CHECK(file_test::contains(error_of("# nothing\n"), "p.txt: has no positions"));
 }
 
 TEST_CASE("a sequence: the same bytes for any number of threads, and what is there and whole is kept") {

@@ -65,6 +65,9 @@ foreach(option --check=0.5 --explain)
 endforeach()
 refused("map too large" "--lights and --vsgl-texels ask for a map of 1024000 texels across, more than 3200"
   --method vsgl --lights 1000000 --vsgl-texels 1024)
+# Not as a number of base eight, which a zero in front is in C.
+refused("lights with a zero in front" "--lights and --vsgl-texels ask for a map of 1024000 texels across, more than 3200"
+  --method vsgl --lights 01000000 --vsgl-texels 1024)
 refused("bands of no band" "--bands means nothing to --method vsgl" --method vsgl --bands 3)
 refused("bands of hvl-zonal" "--bands: '21' is not one of 1.2.3.4.5.7.9, which --method hvl has" --bands 21)
 refused("bands of hvl" "--bands: '4' is not one of 3.5.7.9.15.21, which --method hvl-zonal has" --method hvl-zonal --bands 4)

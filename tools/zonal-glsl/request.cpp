@@ -193,13 +193,6 @@ std::string made_by(const Request& request) {
 
 }  // namespace
 
-int parse_bands(const std::string& option, const std::string& text) {
-  for (int bands = 1; bands <= zonal::shader::max_bands; ++bands) {
-    if (text == std::to_string(bands)) return bands;
-  }
-  throw RequestError(option + ": '" + text + "' is not in 1..." + std::to_string(zonal::shader::max_bands));
-}
-
 Selection select(const Request& request, const Dialect& dialect) { return Selector(request, dialect).result; }
 
 std::string shader_file(const Request& request, const Dialect& dialect) {

@@ -7,6 +7,7 @@
 
 #include <zonal/shader/dialect.hpp>
 #include <zonal/shader/file_text.hpp>
+#include <zonal/shader/function_table.hpp>
 #include <zonal/shader/planned_shells.hpp>
 
 namespace zonal_glsl {
@@ -36,7 +37,12 @@ struct Selection {
 };
 
 /// The number of bands that the text names; RequestError, which names `option`, if it is none.
-int parse_bands(const std::string& option, const std::string& text);
+inline int parse_bands(const std::string& option, const std::string& text) {
+  for (int bands = 1; bands <= zonal::shader::max_bands; ++bands) {
+    if (text == std::to_string(bands)) return bands;
+  }
+  throw RequestError(option + ": '" + text + "' is not in 1..." + std::to_string(zonal::shader::max_bands));
+}
 
 /// Throws RequestError for a name or a selection that is none.
 Selection select(const Request& request, const zonal::shader::Dialect& dialect);

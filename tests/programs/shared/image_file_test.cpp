@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -75,6 +76,59 @@ TEST_CASE("a luminance-chroma OpenEXR file has its colours back") {
   }
   INFO(worst);
   CHECK(worst < 4e-3F);
+}
+
+TEST_CASE("PNM of 16 bits is refused, and of 8 bits read") {
+  const file_test::Folder folder;
+  file_test::write(folder.path / "grey.pgm", std::string("P5 2 2 65535\n\xff\xff\x80\x00\x40\xff\x00\x00", 21));
+  CHECK_THROWS_AS(read_picture(folder.path / "grey.pgm"), InputError);
+  CHECK_THROWS_AS(read_texture(folder.path / "grey.pgm", TextureUse::values), InputError);
+  file_test::write(folder.path / "grey.pgm", std::string("P5 2 1 255\n\xff\x33", 13));
+  const Image image = read_picture(folder.path / "grey.pgm");
+  REQUIRE((image.width == 2 && image.height == 1));
+  CHECK(image.pixels[0] == glm::vec3(1));
+  CHECK(image.pixels[1] == decode_srgb(glm::vec3(51.0F / 255.0F)));
+}
+
+TEST_CASE("a picture of no pixels, or of more than memory is there for, is refused before it is read") {
+  const file_test::Folder folder;
+  const auto error_of = [&](const std::string& name, std::int64_t most_pixels) -> std::string {
+    try {
+      read_picture(folder.path / name, most_pixels);
+    } catch (const InputError& failure) {
+      return failure.what();
+    }
+    return "";
+  };
+  file_test::write(folder.path / "flat.ppm", "P6 2 0 255\nabcdef");
+  CHECK(file_test::contains(error_of("flat.ppm", 100), "flat.ppm: "));
+  file_test::write(folder.path / "wide.ppm", "P6 16777000 16777000 255\nabcdef");
+  CHECK(file_test::contains(error_of("wide.ppm", most_picture_pixels), "is of 16777000x16777000 pixels, more than"));
+  file_test::write(folder.path / "six.ppm", "P6 2 3 255\nabcdefghijklmnopqr");
+  write_channel(folder.path / "six.exr", "Y", {1, 2, 3, 4, 5, 6}, 3);
+  for (const std::string name : {"six.ppm", "six.exr"}) {
+    CAPTURE(name);
+    CHECK(error_of(name, 6).empty());
+    CHECK(file_test::contains(error_of(name, 5), " pixels, more than 5"));
+  }
+}
+
+TEST_CASE("an OpenEXR file whose pixels lie far from (0, 0) is read as any") {
+  const file_test::Folder folder;
+  const Imath::Box2i window({-1000000000, 900000000}, {-1000000000 + 2, 900000000 + 1});
+  Imf::Header header(window, window);
+  header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
+  const std::vector<float> values{0.0F, 1, 2, 3, 4, 5};
+  {
+    Imf::OutputFile file((folder.path / "far.exr").c_str(), header);
+    Imf::FrameBuffer buffer;
+    buffer.insert("Y", Imf::Slice::Make(Imf::FLOAT, values.data(), window));
+    file.setFrameBuffer(buffer);
+    file.writePixels(2);
+  }
+  const Image image = read_exr(folder.path / "far.exr");
+  REQUIRE((image.width == 3 && image.height == 2));
+  for (std::size_t i = 0; i < values.size(); ++i) CHECK(image.pixels[i] == glm::vec3(values[i]));
 }
 
 TEST_CASE("a file without colours is refused by name of what it lacks") {

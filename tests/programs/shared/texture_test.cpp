@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <random>
@@ -120,6 +121,10 @@ TEST_CASE("textures: between the centres of texels by tents, repeated or clamped
     for (const glm::vec2& far : {glm::vec2(1e8f, -1e8f), glm::vec2(3e38f, -3e38f)}) {
       CHECK(texture.at(far, false).r >= 0.0f);
       CHECK(texture.at(far, true).r <= 1.0f);
+    }
+    constexpr float none = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
+    for (const glm::vec2& place : {glm::vec2(none), glm::vec2(infinite, -infinite), glm::vec2(none, 0.5f)}) {
+      for (const bool clamped : {false, true}) CHECK(texture.at(place, clamped).r >= 0.0f);  // some texel's
     }
   }
 }

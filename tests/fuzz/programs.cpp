@@ -1,0 +1,16 @@
+// What else of the programs is fuzzed: command lines, plans and pictures, in one translation unit. The test command
+// links these as they are built, without the sanitizers, for they take a minute to compile.
+#include "../../examples/field-bake/options.cpp"
+#include "../../examples/field-capture/options.cpp"
+#include "../../examples/field-render/options.cpp"
+#include "../../examples/grid-render/options.cpp"
+#include "../../examples/hvl-render/options.cpp"
+#include "../../examples/igi-render/options.cpp"
+#include "../../examples/shared/command_line.cpp"
+#include "../../examples/shared/image.cpp"
+#include "../../examples/shared/image_file.cpp"
+#include "../../examples/shared/material_change.cpp"
+#include "../../examples/shared/materials.cpp"
+#include "../../examples/shared/texture.cpp"
+#include "../../tools/zonal-glsl/options.cpp"
+#include "../../tools/zonal-glsl/plan_file.cpp"

@@ -2,7 +2,7 @@
 // CMakeLists.txt. Without an instruction that fuses it is the same as without contraction.
 #include <zonal/accuracy.hpp>
 
-#include "kernels.hpp"
+#include "chosen_kernels.hpp"
 
 std::vector<KernelResults> contracted_results(const std::vector<std::vector<float>>& inputs, int runs) {
   return kernels_of_each_kind::results_of(kernels_of_each_kind::Kernels{}, inputs, runs);

@@ -1,7 +1,7 @@
 // Compiled with -ffast-math: CMakeLists.txt.
 #include <zonal/accuracy.hpp>
 
-#include "kernels.hpp"
+#include "chosen_kernels.hpp"
 
 #if !defined(__FAST_MATH__)
 #error "compiled without -ffast-math"

@@ -8,7 +8,7 @@
 
 #include "../accuracy.hpp"
 #include "../catch.hpp"
-#include "kernels.hpp"
+#include "chosen_kernels.hpp"
 
 #if defined(__SSE2__)
 #include <xmmintrin.h>

@@ -164,9 +164,7 @@ bool parse_frame(const std::string& text, zonal::Frame& frame) {
   return true;
 }
 
-std::string axis_text(Axis axis) {
-  return std::string(zonal::detail::sign(axis) < 0 ? "-" : "") + "xyz"[zonal::detail::coordinate(axis)];
-}
+std::string axis_text(Axis axis) { return zonal::detail::axis_name(axis); }
 
 std::string frame_text(const zonal::Frame& frame) {
   return "right " + axis_text(frame.right) + ", up " + axis_text(frame.up) + ", ahead " + axis_text(frame.forward);

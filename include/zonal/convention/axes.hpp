@@ -2,6 +2,8 @@
 // the other way, which makes a right-handed frame left-handed.
 #pragma once
 
+#include <string>
+
 #include "../basis/sh.hpp"
 #include "../scalar/refuse.hpp"
 #include "../transform/rotate.hpp"
@@ -33,6 +35,9 @@ constexpr int coordinate(Axis axis) {
   return (number < 0 ? -number : number) - 1;
 }
 constexpr int sign(Axis axis) { return static_cast<int>(axis) < 0 ? -1 : 1; }
+
+// "x", "-y", ...
+inline std::string axis_name(Axis axis) { return std::string(sign(axis) < 0 ? "-" : "") + "xyz"[coordinate(axis)]; }
 
 constexpr bool is_one(Axis axis) { return static_cast<int>(axis) != 0 && coordinate(axis) < 3; }
 constexpr bool are_three(Axis a, Axis b, Axis c) {

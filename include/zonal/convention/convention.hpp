@@ -116,6 +116,11 @@ constexpr long double normalisation_factor(Normalisation normalisation, int l, i
 
 constexpr long double phase_sign(Phase phase, int m) { return phase == Phase::none && m % 2 != 0 ? -1 : 1; }
 
+// n s of the header: the convention's basis in units of this library's, in the harmonics' axes.
+constexpr long double basis_factor(const Convention& convention, int l, int m) {
+  return phase_sign(convention.phase, m) * normalisation_factor(convention.normalisation, l, m);
+}
+
 // By how much a degree of radiance is multiplied to be that of the quantity.
 constexpr long double quantity_factor(Quantity quantity, int l) {
   return quantity == Quantity::radiance     ? 1
@@ -133,7 +138,7 @@ constexpr long double quantity_ratio(Quantity from, Quantity to, int l) {
 
 // By how much a coefficient of ours is multiplied to be stored, the quantity being the same.
 constexpr long double stored_factor(const Convention& to, int l, int m) {
-  const long double basis = phase_sign(to.phase, m) * normalisation_factor(to.normalisation, l, m);
+  const long double basis = basis_factor(to, l, m);
   return static_cast<long double>(to.scale) * (to.meaning == Meaning::projection ? basis : 1 / basis);
 }
 

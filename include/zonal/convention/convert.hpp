@@ -88,9 +88,7 @@ Sh<N, T> evaluate_in(const Convention& convention, const V& direction) {
   Sh<N, T> r;
   for (int l = 0; l < N; ++l) {
     for (int m = -l; m <= l; ++m) {
-      const long double factor =
-          detail::phase_sign(convention.phase, m) * detail::normalisation_factor(convention.normalisation, l, m);
-      r.values[stored_index(convention.order, l, m)] = T(factor) * y(l, m);
+      r.values[stored_index(convention.order, l, m)] = T(detail::basis_factor(convention, l, m)) * y(l, m);
     }
   }
   return r;

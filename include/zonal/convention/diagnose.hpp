@@ -127,9 +127,6 @@ Diagnosis diagnose(int bands, const Basis& basis) {
 
 /// A convention in words: "phase of Condon and Shortley, order -l to l, orthonormal, polar axis z".
 inline std::string describe(const Convention& c) {
-  const auto axis_name = [](Axis axis) {
-    return std::string(detail::sign(axis) < 0 ? "-" : "") + "xyz"[detail::coordinate(axis)];
-  };
   std::string text = c.phase == Phase::condon_shortley ? "with the phase of Condon and Shortley" : "without phase";
   switch (c.order) {
     case CoefficientOrder::ascending: text += ", orders -l to l"; break;
@@ -145,8 +142,8 @@ inline std::string describe(const Convention& c) {
     case Normalisation::polynomial: text += ", plain polynomials"; break;
   }
   if (c.axes == Axes{}) return text + ", polar axis z";
-  return text + ", with " + axis_name(c.axes.x) + ", " + axis_name(c.axes.y) + ", " + axis_name(c.axes.z) +
-         " for the harmonics' x, y, z";
+  return text + ", with " + detail::axis_name(c.axes.x) + ", " + detail::axis_name(c.axes.y) + ", " +
+         detail::axis_name(c.axes.z) + " for the harmonics' x, y, z";
 }
 
 /// All of it, a line each, each ended.

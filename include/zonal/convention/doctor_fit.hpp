@@ -111,6 +111,7 @@ inline Matrix harmonics_about(const Axes& axes, int bands) {
   }
   return r;
 }
+
 inline double dot(const double* a, const double* b, int count) {
   double sum = 0;
   for (int i = 0; i < count; ++i) sum += a[i] * b[i];

@@ -32,9 +32,11 @@ inline std::vector<Axes> all_axes() {
   }
   return all;
 }
+
 struct Term {
   int l, m;
 };
+
 inline std::vector<Term> terms_in(CoefficientOrder order, int bands) {
   std::vector<Term> all(static_cast<std::size_t>(bands * bands));
   for (int l = 0; l < bands; ++l) {
@@ -42,6 +44,7 @@ inline std::vector<Term> terms_in(CoefficientOrder order, int bands) {
   }
   return all;
 }
+
 // Their terms as read by one convention: of each, how many times the convention's term it is, and whether it is that
 // and nothing else.
 struct Reading {
@@ -176,10 +179,8 @@ inline Reading best_reading(const Matrix& terms, int bands, double tolerance) {
               const Term at = in_order[static_cast<std::size_t>(i)];
               const long double by_cosine = quantity_factor(quantity, at.l);
               if (!(by_cosine > 0 || by_cosine < 0)) is_possible = false;
-              reading.factors.push_back(
-                  along[static_cast<std::size_t>(i)] /
-                  static_cast<double>(phase_sign(phase, at.m) * normalisation_factor(normalisation, at.l, at.m) *
-                                      by_cosine));
+              reading.factors.push_back(along[static_cast<std::size_t>(i)] /
+                                        static_cast<double>(basis_factor(c, at.l, at.m) * by_cosine));
             }
             if (!is_possible) continue;
             std::vector<bool> are_others = reading.are_alike;
@@ -198,6 +199,7 @@ inline Reading best_reading(const Matrix& terms, int bands, double tolerance) {
   }
   return best;
 }
+
 // Whether their terms are those of a convention, all of them.
 inline bool has_basis_of(const Convention& convention, const Matrix& terms, int bands, double tolerance) {
   if (bands - 1 > greatest_degree(convention)) return false;
@@ -205,8 +207,7 @@ inline bool has_basis_of(const Convention& convention, const Matrix& terms, int 
   const std::vector<Term> in_order = terms_in(convention.order, bands);
   for (int i = 0; i < bands * bands; ++i) {
     const Term at = in_order[static_cast<std::size_t>(i)];
-    const double unit = static_cast<double>(phase_sign(convention.phase, at.m) *
-                                            normalisation_factor(convention.normalisation, at.l, at.m));
+    const double unit = static_cast<double>(basis_factor(convention, at.l, at.m));
     double squares = 0;
     for (int j = 0; j < terms.columns; ++j) {
       const double left = terms[i][j] - (j < harmonics.columns ? unit * harmonics[sh_index(at.l, at.m)][j] : 0);

@@ -70,9 +70,8 @@ inline std::string parts_text(const double* term, const Matrix& harmonics, int b
       const double along = dot(term, harmonics[sh_index(l, m)], harmonics.columns);
       // Beyond what the convention lists: in units of orthonormal harmonics.
       const bool is_listed = l <= greatest_degree(reading.convention);
-      const double unit =
-          static_cast<double>(phase_sign(reading.convention.phase, m) *
-                              (is_listed ? normalisation_factor(reading.convention.normalisation, l, m) : 1));
+      const double unit = static_cast<double>(is_listed ? basis_factor(reading.convention, l, m)
+                                                        : phase_sign(reading.convention.phase, m));
       parts.push_back({along / (unit * reading.scale), std::abs(along), {l, m}});
       greatest = (std::max)(greatest, std::abs(along));
     }
@@ -97,8 +96,7 @@ inline int place_of_other(const double* term, int own, const Matrix& harmonics, 
     const Term at = in_order[static_cast<std::size_t>(i)];
     const double along = dot(term, harmonics[sh_index(at.l, at.m)], harmonics.columns);
     if (i == own || std::abs(along) < (1 - tolerance) * length) continue;
-    const double unit = static_cast<double>(phase_sign(reading.convention.phase, at.m) *
-                                            normalisation_factor(reading.convention.normalisation, at.l, at.m) *
+    const double unit = static_cast<double>(basis_factor(reading.convention, at.l, at.m) *
                                             quantity_factor(reading.convention.quantity, at.l));
     factor = along / (unit * reading.scale);
     return i;

@@ -1,5 +1,5 @@
-// Three bands as the shaders of engines take them: E / pi at a normal, in few vectors, without constants. All are made of
-// Unity's nine numbers, plain polynomials: convert(radiance, Convention{}, find_convention("unity")->convention).
+// Three bands as the shaders of engines take them: E / pi at a normal, in few vectors, without constants. All are made
+// of Unity's nine numbers, plain polynomials: convert(radiance, Convention{}, find_convention("unity")->convention).
 //
 // [1] Sloan, Stupid spherical harmonics tricks, GDC 2008, appendix A10.
 #pragma once

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include <zonal/scalar/luminance.hpp>
+
 namespace example {
 namespace {
 
@@ -16,8 +18,9 @@ float srgb(float linear) {
 }
 
 double luma(const glm::vec3& encoded) {
-  return 0.2126 * static_cast<double>(encoded.r) + 0.7152 * static_cast<double>(encoded.g) +
-         0.0722 * static_cast<double>(encoded.b);
+  double sum = 0;
+  for (int c = 0; c < 3; ++c) sum += zonal::kLuminanceWeights[c] * static_cast<double>(encoded[c]);
+  return sum;
 }
 
 double mean_square_difference(const Image& a, const Image& b) {

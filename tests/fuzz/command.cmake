@@ -2,7 +2,8 @@
 foreach(program hvl-render igi-render grid-render field-bake field-capture field-render)
   list(APPEND fuzzed $<TARGET_FILE:${program}-parts>)
 endforeach()
-list(APPEND fuzzed $<TARGET_FILE:zonal-glsl-parts> $<TARGET_FILE:example-shared> $<TARGET_FILE:example-basics>)
+list(APPEND fuzzed $<TARGET_FILE:zonal-glsl-parts> $<TARGET_FILE:zonal-shader-functions>
+  $<TARGET_FILE:zonal-probe-parts> $<TARGET_FILE:example-shared> $<TARGET_FILE:example-basics>)
 list(JOIN fuzzed "|" fuzzed)
 set(name "fuzz: every reader of files and command line")
 add_test(NAME ${name} COMMAND ${CMAKE_COMMAND} -Dcompiler=${ZONAL_CLANGXX} -Dsource_dir=${PROJECT_SOURCE_DIR}

@@ -17,6 +17,7 @@
 #include "../../examples/shared/input_error.hpp"
 #include "../../examples/shared/material_change.hpp"
 #include "../../tools/zonal-glsl/options.hpp"
+#include "../../tools/zonal-probe/options.hpp"
 
 namespace fuzz {
 namespace {
@@ -98,6 +99,18 @@ void check_more(const example::field_render::Options& o) {
   change_material(o.materials);
 }
 
+void check_more(const zonal_probe::Options& o) {
+  require(is_within(1, o.bands.value_or(1), 10) && is_within(0, o.threads, 1024), "--bands and --threads");
+  for (const auto& turn : o.turns) require(is_within(-3600.0, turn.degrees, 3600.0), "--rotate");
+  require(!o.window.width || (*o.window.width > 0 && *o.window.width <= 1000), "--window");
+  require(o.list || !o.input.empty(), "a picture, or coefficients");
+}
+/// What the functions that are asked for are, too: a text, or a refusal.
+void write_shader(int argc, char** argv) {
+  const zonal_glsl::Options options = zonal_glsl::parse_command_line(argc, argv);
+  if (!options.exit_status) require(!shader_file(options.request, *options.dialect).empty(), "a text");
+}
+
 void parse(int argc, char** argv, const std::function<void(int, char**)>& parser) {
   try {
     parser(argc, argv);
@@ -170,9 +183,15 @@ std::vector<Target> command_lines() {
       program("field-render", field_render::parse_command_line,
               {common + "--grid g --object table --material *=gold:0.3 --interpolation hermite --bands 4 --window hann",
                "--compare out --grid g --reference spots --box 0,0,0,1,1,1 --samples 4 --bounces 2 --seed 1"}),
-      program("zonal-glsl", std::function<void(int, char**)>(zonal_glsl::parse_command_line),
+      program("zonal-glsl", std::function<void(int, char**)>(write_shader),
               {"--functions evaluate@3,cap:even --bands 5 --dialect glsl450 -o x --prefix zonal_ --precise --flat",
+               "--functions evaluate:degree2@3,gather_zonal --bands 2 --dialect hlsl",
                "--adjoint reconstruct --by sh,direction --temporaries --count --plan p.json", "--list --version"}),
+      program("zonal-probe", zonal_probe::parse_command_line,
+              {"sky.hdr --mapping equirectangular --bands 4 --rotate up:90,right:-20.5 --window hann:3 --format glsl",
+               "a.txt --from unity --planes --input-frame unity --quantity irradiance-over-pi --frame x,y,-z --out b "
+               "--window auto --window-by luminance --convention three.js --format json --preview p.png --threads 2",
+               "sky.png --name probe_1 --window sinc --quiet --list"}),
   };
 }
 

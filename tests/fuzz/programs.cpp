@@ -1,5 +1,5 @@
-// What else of the programs is fuzzed: command lines, plans and pictures, in one translation unit. The test command
-// links these as they are built, without the sanitizers, for they take a minute to compile.
+// What else of the programs is fuzzed: command lines, plans, coefficients and pictures, in one translation unit. The
+// test command links these as they are built, without the sanitizers, for they take a minute to compile.
 #include "../../examples/field-bake/options.cpp"
 #include "../../examples/field-capture/options.cpp"
 #include "../../examples/field-render/options.cpp"
@@ -14,3 +14,8 @@
 #include "../../examples/shared/texture.cpp"
 #include "../../tools/zonal-glsl/options.cpp"
 #include "../../tools/zonal-glsl/plan_file.cpp"
+#include "../../tools/zonal-probe/coefficients_file.cpp"
+#include "../../tools/zonal-probe/conventions.cpp"
+#include "../../tools/zonal-probe/options.cpp"
+#include "../../tools/zonal-probe/picture.cpp"
+#include "../../tools/zonal-probe/window.cpp"

@@ -10,6 +10,7 @@
 #include <zonal/material/rgl.hpp>
 
 #include <cstdint>
+#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -20,8 +21,11 @@
 #include "../../examples/shared/input_error.hpp"
 #include "../../examples/shared/mtl_file.hpp"
 #include "../../examples/shared/obj_file.hpp"
+#include "../../tools/zonal-doctor/table.hpp"
 #include "../../tools/zonal-glsl/plan_file.hpp"
 #include "../../tools/zonal-glsl/request.hpp"
+#include "../../tools/zonal-probe/coefficients_file.hpp"
+#include "../../tools/zonal-probe/window.hpp"
 #include "../material/tensor_writer.hpp"
 
 namespace fuzz {
@@ -55,6 +59,7 @@ void refuse_or_read(const std::string& bytes, const char* extension, const Read&
   } catch (const zonal::FileError&) {
   } catch (const example::InputError&) {
   } catch (const zonal_glsl::RequestError&) {
+  } catch (const zonal_doctor::InputError&) {
   }
 }
 
@@ -76,6 +81,27 @@ Target plain(const char* name, const Read& read, const std::vector<std::string>&
   return {name, [read, extension](const std::string& bytes) { refuse_or_read(bytes, extension, read); }, seeds};
 }
 
+/// Read, written and read again; and windowed, which is a search.
+void ask(const Path& path, const zonal_probe::ListOf& list) {
+  using namespace zonal_probe;
+  const Stored stored = read_coefficients(path, list);
+  write_scratch(path, json_text(stored, ""));
+  const Stored again = read_coefficients(path, {});
+  require(again.bands == stored.bands && again.named == stored.named, "written coefficients are read as they were");
+  for (std::size_t i = 0; i < stored.numbers.size(); ++i) {
+    const Colour &a = stored.numbers[i], &b = again.numbers[i];
+    require(a.r == b.r && a.g == b.g && a.b == b.b, "written numbers are read as they were");
+  }
+  Light light = load(stored);
+  if (stored.bands <= 3) apply_window(light, {WindowKind::automatic, {}, WindowBy::channel}, stored.quantity);
+  store(light, stored);
+}
+/// Read, and what it holds diagnosed.
+void ask(const zonal_doctor::Table& table) {
+  require(table.values.size() == table.directions.size() * std::size_t(table.bands * table.bands), "a full table");
+  if (table.bands <= 3) describe(zonal::diagnose(table.bands, table.directions, table.values));
+}
+
 /// Small ones, or a few bytes that stand for many pixels would take all the time.
 constexpr std::int64_t most_pixels = 1 << 16;
 
@@ -90,6 +116,18 @@ std::vector<std::string> exr_seen() {
   example::Image image(4, 3);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = glm::vec3(0.1F * float(i), 0.5F, 1.0F);
   return {example::exr_bytes(image)};
+}
+
+/// Two bands as the doctor reads them: directions and values.
+std::string two_bands_seen() {
+  std::string text = "x y z and four values\n";
+  for (const zonal::Direction& d : zonal::diagnosis_directions(2)) {
+    char line[200];
+    std::snprintf(line, sizeof line, "%.6f %.6f %.6f 0.282095 %.6f;%.6f,%.6f # a remark\n", d[0], d[1], d[2],
+                  0.488603 * d[1], 0.488603 * d[2], 0.488603 * d[0]);
+    text += line;
+  }
+  return text;
 }
 
 }  // namespace
@@ -162,6 +200,17 @@ std::vector<Target> readers() {
           "exr", [](const Path& p) { example::read_texture(p, example::TextureUse::colour, most_pixels); }, exr_seen(),
           ".exr"),
   };
+  all.push_back(plain("coefficients",
+                      [](const Path& p) {
+                        ask(p, {&zonal_probe::convention_of("", "unity"), {}, false});
+                      },
+                      {"# nine\n1, 0.5f, +0.25\n0.1 (-2e-1) [3]; {4} 5 6 // irradiance\n",
+                       R"({"convention": "three.js", "quantity": "radiance", "bands": 1, )"
+                       R"("frame": {"right": "x", "up": "y", "ahead": "-z"}, "coefficients": [[1, 0.5, 2]]})"}));
+  all.push_back(
+      plain("doctor",
+            [](const Path& p) { ask(zonal_doctor::parse_table("values.txt", zonal_doctor::read_text(p.string()), 0)); },
+            {two_bands_seen()}));
   const std::vector<zonal::RadianceSample> samples(6, {1, 2, 3});
   zonal::write_samples(scratch(), {0, 2, 3, 7}, samples.data());
   all.push_back(plain("samples",

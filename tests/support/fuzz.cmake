@@ -12,11 +12,13 @@ separate_arguments(openexr UNIX_COMMAND "${openexr}")
 set(sanitizers -fsanitize=fuzzer,address,undefined,float-cast-overflow -fno-sanitize-recover=all)
 if(libraries)
   set(level -O0)  # half the time to compile, and not many inputs
+  set(bands 10)  # as the libraries are
 else()
   set(level -O1)
+  set(bands 3)
 endif()
-set(flags -std=c++20 ${level} -g1 -DZONAL_INLINE= -DZONAL_GLSL_MAX_BANDS=10 -I${source_dir}/include -I${source_dir}/examples
-  ${system_dirs} -idirafter${stb_dir})
+set(flags -std=c++20 ${level} -g1 -DZONAL_INLINE= -DZONAL_GLSL_MAX_BANDS=${bands} -I${source_dir}/include
+  -I${source_dir}/examples -I${source_dir}/tools -I${source_dir}/tools/zonal-glsl ${system_dirs} -idirafter${stb_dir})
 file(REMOVE_RECURSE ${work_dir}/corpus)
 file(MAKE_DIRECTORY ${work_dir}/corpus)
 
@@ -41,6 +43,9 @@ list(TRANSFORM sources PREPEND ${source_dir}/tests/fuzz/)
 list(TRANSFORM sources APPEND .cpp)
 if(NOT libraries)
   list(APPEND sources ${source_dir}/tests/fuzz/programs.cpp ${source_dir}/examples/shared/stb.cpp)
+  foreach(part request shader_functions basis_functions scene_functions)
+    list(APPEND sources ${source_dir}/tools/zonal-glsl/${part}.cpp)
+  endforeach()
 endif()
 string(REPLACE "|" ";" libraries "${libraries}")
 execute_process(COMMAND ${compiler} ${flags} ${sanitizers} ${sources} ${libraries} ${openexr} -o ${work_dir}/fuzz

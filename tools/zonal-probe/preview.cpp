@@ -6,7 +6,9 @@
 #include <vector>
 
 #include <stb_easy_font.h>
+#include <glm/gtc/type_ptr.hpp>
 #include <zonal/environment/reconstruct_picture.hpp>
+#include <zonal/scalar/luminance.hpp>
 #include <zonal/transform/reconstruct_batch.hpp>
 
 #include "shared/text_table.hpp"
@@ -111,12 +113,13 @@ Ball lit_ball(const Coefficients& over_pi, int size, Workers& workers) {
   return ball;
 }
 
+const glm::dvec3 luminance_weights = glm::make_vec3(zonal::kLuminanceWeights);
+
 /// Display luma at which a difference is fully red or blue.
 constexpr float full_difference = 0.6f;
 
 glm::vec3 signed_difference(const glm::vec3& rebuilt, const glm::vec3& truth, const example::Display& display) {
-  const glm::vec3 luma(0.2126f, 0.7152f, 0.0722f), zero(0.97f), brighter(0.78f, 0.07f, 0.10f),
-      darker(0.09f, 0.24f, 0.70f);
+  const glm::vec3 luma(luminance_weights), zero(0.97f), brighter(0.78f, 0.07f, 0.10f), darker(0.09f, 0.24f, 0.70f);
   const float difference = glm::dot(luma, example::encode(rebuilt, display) - example::encode(truth, display));
   return glm::mix(zero, difference > 0 ? brighter : darker, std::min(1.0f, std::abs(difference) / full_difference));
 }
@@ -178,7 +181,7 @@ Image make_preview(const Light& light, const std::optional<Image>& sky, const Pr
 
   // The mean shows as a middle grey, and what is below 0 by more than rounding is hatched.
   const glm::dvec3 mean_colour = glm::dvec3(radiance[0].r, radiance[0].g, radiance[0].b) * std::sqrt(0.25 / pi);
-  const double mean = glm::dot(mean_colour, glm::dvec3(0.2126, 0.7152, 0.0722));
+  const double mean = glm::dot(mean_colour, luminance_weights);
   const float least = static_cast<float>(-1e-5 * std::max(mean, 0.0));
   example::Display display;
   if (mean > 1e-30) display.exposure_stops = static_cast<float>(std::clamp(std::log2(0.25 / mean), -100.0, 100.0));

@@ -8,7 +8,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstddef>
 #include <cstdio>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -54,44 +57,75 @@ void print_worst(const Provable& provable, unsigned seed, int climbs) {
   std::printf("; %ld results were infinite or no numbers\n", worst.not_numbers);
 }
 
+struct Options {
+  std::string function, scalar = "float";
+  int bands = 5, climbs = 0;
+  unsigned seed = 1;
+  long parts = 2000;
+  std::optional<std::size_t> gappa_part;
+};
+
+void add_options(CLI::App& app, Options& options) {
+  app.add_option("--function", options.function, "a kernel of the basis or the lobes");
+  app.add_option("--scalar", options.scalar, "float or double")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"float", "double"}));
+  app.add_option("--bands", options.bands, "5, 10 or 21")->capture_default_str()->check(CLI::IsMember({5, 10, 21}));
+  app.add_option("--parts", options.parts, "into how many parts the range is cut")
+      ->capture_default_str()
+      ->check(CLI::Range(1L, 1000000000L));
+  app.add_option("--search", options.climbs, "also seek the worst input, by so many climbs")
+      ->check(CLI::Range(1, 1000000000));
+  app.add_option("--seed", options.seed, "of the search")->capture_default_str();
+  app.add_option("--gappa", options.gappa_part,
+                 "print a script that proves the kept bound over this part of the range instead");
+}
+
+std::string script_of(const Provable& provable, std::size_t part, double bound) {
+  const Subject subject = provable.subject();
+  if (!can_write_gappa(subject))
+    throw std::runtime_error("--gappa: " + std::string(provable.function) + " has choices");
+  const std::vector<Part> all = whole_domain(subject, provable.greatest);
+  if (part >= all.size()) {
+    throw std::runtime_error("--gappa: the range has the parts 0 to " + std::to_string(all.size() - 1));
+  }
+  return gappa_script(subject, all[part], bound);
+}
+
+/// The exit status.
+int run(const Options& options) {
+  if (options.function.empty()) return check_all_kept() ? 0 : 1;
+  const std::vector<Provable> found = find_provables(options.function, options.scalar, options.bands);
+  if (found.empty()) {
+    throw std::runtime_error("--function: there is no '" + options.function + "' of " + options.scalar + " with " +
+                             std::to_string(options.bands) + " bands");
+  }
+  if (options.gappa_part) {
+    const double bound = zonal::accuracy_bound(options.function, options.scalar, options.bands);
+    std::fputs(script_of(found.front(), *options.gappa_part, bound).c_str(), stdout);
+    return 0;
+  }
+  for (const Provable& provable : found) {
+    print_lowest(provable, options.parts);
+    if (options.climbs > 0) print_worst(provable, options.seed, options.climbs);
+  }
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app(
       "Bounds of the rounding errors of zonal's kernels, proved; of all in zonal/accuracy.hpp where none is named");
-  std::string function, scalar = "float";
-  int bands = 5, climbs = 0, part = -1;
-  unsigned seed = 1;
-  long parts = 2000;
-  app.add_option("--function", function, "a kernel of the basis or the lobes");
-  app.add_option("--scalar", scalar, "float or double")->capture_default_str();
-  app.add_option("--bands", bands, "5, 10 or 21")->capture_default_str();
-  app.add_option("--parts", parts, "into how many parts the range is cut")->capture_default_str();
-  app.add_option("--search", climbs, "also seek the worst input, by so many climbs");
-  app.add_option("--seed", seed, "of the search")->capture_default_str();
-  app.add_option("--gappa", part, "print a script that proves the kept bound over this part of the range instead");
-  CLI11_PARSE(app, argc, argv);
-
-  if (function.empty()) return check_all_kept() ? 0 : 1;
-  const std::vector<Provable> found = find_provables(function, scalar, bands);
-  if (found.empty()) {
-    std::fprintf(stderr, "zonal-prove: no such kernel, scalar and number of bands\n");
-    return 1;
+  Options options;
+  add_options(app, options);
+  try {
+    app.parse(argc, argv);
+    return run(options);
+  } catch (const CLI::Success& success) {
+    return app.exit(success);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "zonal-prove: %s\n", error.what());
+    return 2;
   }
-  if (part >= 0) {
-    const Subject subject = found.front().subject();
-    const std::vector<Part> all = whole_domain(subject, found.front().greatest);
-    if (!can_write_gappa(subject) || static_cast<std::size_t>(part) >= all.size()) {
-      std::fprintf(stderr, "zonal-prove: a kernel with choices, or fewer parts: %zu\n", all.size());
-      return 1;
-    }
-    const double bound = zonal::accuracy_bound(function, scalar, bands);
-    std::fputs(gappa_script(subject, all[static_cast<std::size_t>(part)], bound).c_str(), stdout);
-    return 0;
-  }
-  for (const Provable& provable : found) {
-    print_lowest(provable, parts);
-    if (climbs > 0) print_worst(provable, seed, climbs);
-  }
-  return 0;
 }

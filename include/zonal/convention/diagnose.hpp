@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "doctor_words.hpp"
@@ -43,6 +44,68 @@ inline std::vector<Direction> diagnosis_directions(int bands) {
   return all;
 }
 
+namespace detail::doctor {
+inline void check_input(int bands, const std::vector<Direction>& directions, const std::vector<double>& values) {
+  if (bands < 1 || bands > 20) refuse("the doctor knows 1 to 20 bands, not " + std::to_string(bands));
+  const int count = bands * bands;
+  if (values.size() != directions.size() * static_cast<std::size_t>(count)) {
+    refuse(std::to_string(values.size()) + " values for " + std::to_string(directions.size()) + " directions of " +
+           std::to_string(count) + " terms");
+  }
+  for (const Direction& d : directions) {
+    const double length = std::hypot(d[0], d[1], d[2]);
+    if (!(std::abs(length - 1) < 1e-3)) refuse("a direction that is no unit vector");
+  }
+}
+
+// A direction a row. What is no number is a fault, and 0.
+inline Matrix table_of(int terms, const std::vector<double>& values, std::vector<std::string>& faults) {
+  Matrix table(static_cast<int>(values.size() / static_cast<std::size_t>(terms)), terms);
+  std::copy(values.begin(), values.end(), table.values.begin());
+  for (int i = 0; i < terms; ++i) {
+    int missing = 0;
+    for (int k = 0; k < table.rows; ++k) {
+      if (!std::isfinite(table[k][i])) ++missing, table[k][i] = 0;
+    }
+    if (missing == 0) continue;
+    faults.push_back("term " + std::to_string(i) + " is no number at " + std::to_string(missing) + " of " +
+                     std::to_string(table.rows) + " directions");
+  }
+  return table;
+}
+
+// By harmonics of three bands more than theirs, or of as many as the directions tell apart.
+inline Fit fit_beyond(int bands, const std::vector<Direction>& directions, const Matrix& table) {
+  for (int more = 3; more >= 0; --more) {
+    if ((bands + more) * (bands + more) > table.rows) continue;
+    Fit fitted = fit(directions, table, bands + more);
+    if (fitted.bands != 0) return fitted;
+  }
+  refuse(std::to_string(directions.size()) + " directions do not tell " + std::to_string(bands * bands) +
+         " harmonics apart");
+}
+
+inline double middle_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// What a basis that nobody's is comes nearest to, and what is wrong with it then.
+inline void name_faults(const Fit& fitted, Diagnosis& r) {
+  const Reading reading = best_reading(fitted.terms, r.bands, r.tolerance);
+  r.convention = reading.convention;
+  r.scale = reading.scale;
+  if (is_mirrored(reading.convention.axes)) {
+    r.faults.push_back("the axes are left-handed: a coordinate has the wrong sign, or two are exchanged");
+  }
+  if (!(std::abs(reading.scale - 1) <= r.tolerance)) {
+    r.faults.push_back("all terms are " + factor_text(reading.scale, r.tolerance) + " of what they should be");
+  }
+  for (std::string& fault : faults_of(fitted, reading, r.bands, r.tolerance)) r.faults.push_back(std::move(fault));
+}
+}  // namespace detail::doctor
+
 /// What basis these are the values of: `values` holds bands * bands numbers for each direction, one direction after the
 /// other, in the order in which the code under test has them. Directions are unit vectors, best those of
 /// diagnosis_directions(); at least bands^2 of them, and twice that to be told mixtures with other degrees.
@@ -53,61 +116,18 @@ inline std::vector<Direction> diagnosis_directions(int bands) {
 /// directions, or numbers (refuse.hpp). 3 ms at 5 bands, 50 ms at 10, 1.6 s at 20.
 inline Diagnosis diagnose(int bands, const std::vector<Direction>& directions, const std::vector<double>& values) {
   using namespace detail::doctor;
-  if (bands < 1 || bands > 20) detail::refuse("the doctor knows 1 to 20 bands, not " + std::to_string(bands));
-  const int count = bands * bands;
-  if (values.size() != directions.size() * static_cast<std::size_t>(count)) {
-    detail::refuse(std::to_string(values.size()) + " values for " + std::to_string(directions.size()) +
-                   " directions of " + std::to_string(count) + " terms");
-  }
+  check_input(bands, directions, values);
   Diagnosis r;
   r.bands = bands;
-  for (const Direction& d : directions) {
-    const double length = std::hypot(d[0], d[1], d[2]);
-    if (!(std::abs(length - 1) < 1e-3)) detail::refuse("a direction that is no unit vector");
-  }
-  Matrix table(static_cast<int>(directions.size()), count);
-  std::copy(values.begin(), values.end(), table.values.begin());
-  for (int i = 0; i < count; ++i) {
-    int missing = 0;
-    for (int k = 0; k < table.rows; ++k) {
-      if (!std::isfinite(table[k][i])) ++missing, table[k][i] = 0;
-    }
-    if (missing > 0) {
-      r.faults.push_back("term " + std::to_string(i) + " is no number at " + std::to_string(missing) + " of " +
-                         std::to_string(table.rows) + " directions");
-    }
-  }
-  Fit fitted{0, Matrix(0, 0), {}};
-  for (int more = 3; more >= 0 && fitted.bands == 0; --more) {
-    if ((bands + more) * (bands + more) <= table.rows) fitted = fit(directions, table, bands + more);
-  }
-  if (fitted.bands == 0) {
-    detail::refuse(std::to_string(directions.size()) + " directions do not tell " + std::to_string(count) +
-                   " harmonics apart");
-  }
-  std::vector<double> rest = fitted.rest;
-  std::nth_element(rest.begin(), rest.begin() + count / 2, rest.end());
-  r.noise = rest[static_cast<std::size_t>(count / 2)];
+  const Fit fitted = fit_beyond(bands, directions, table_of(bands * bands, values, r.faults));
+  r.noise = middle_of(fitted.rest);
   r.tolerance = (std::max)(1e-5, 20 * r.noise);
-  for (const NamedConvention& named : kConventions) {
-    const bool has_bands = named.bands == 0 || bands <= named.bands;
-    if (has_bands && has_basis_of(named.convention, fitted.terms, bands, r.tolerance)) {
-      if (r.names.empty()) r.convention = named.convention;
-      r.names.push_back(named.name);
-    }
-  }
-  if (r.names.empty()) {
-    const Reading reading = best_reading(fitted.terms, bands, r.tolerance);
-    r.convention = reading.convention;
-    r.scale = reading.scale;
-    const Axes& axes = reading.convention.axes;
-    if (is_mirrored(axes))
-      r.faults.push_back("the axes are left-handed: a coordinate has the wrong sign, or two are exchanged");
-    if (!(std::abs(reading.scale - 1) <= r.tolerance)) {
-      r.faults.push_back("all terms are " + factor_text(reading.scale, r.tolerance) + " of what they should be");
-    }
-    const std::vector<std::string> wrong = faults_of(fitted, reading, bands, r.tolerance);
-    r.faults.insert(r.faults.end(), wrong.begin(), wrong.end());
+  const std::vector<const NamedConvention*> found = named_bases(fitted.terms, bands, r.tolerance);
+  for (const NamedConvention* named : found) r.names.push_back(named->name);
+  if (found.empty()) {
+    name_faults(fitted, r);
+  } else {
+    r.convention = found.front()->convention;
   }
   r.is_right = r.faults.empty();
   return r;

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "doctor_fit.hpp"
@@ -137,73 +138,100 @@ inline int count_exchanged(const Matrix& terms, const Matrix& harmonics, const s
   return pairs;
 }
 
+// Their terms beside those of one order about one system of axes: how many times such a term each is, and whether it is
+// nothing else.
+struct Likeness {
+  std::vector<double> along;
+  std::vector<bool> are_alike;
+};
+
+inline Likeness compare(const Matrix& terms, const Matrix& expected, const std::vector<Term>& in_order,
+                        double tolerance) {
+  Likeness r;
+  for (int i = 0; i < terms.rows; ++i) {
+    const Term at = in_order[static_cast<std::size_t>(i)];
+    const double* y = expected[sh_index(at.l, at.m)];
+    const double along = dot(terms[i], y, expected.columns);
+    const double squared = dot(terms[i], terms[i], terms.columns);
+    double across = squared - along * along;
+    if (across < 1e-6 * squared) {  // without the cancellation
+      across = 0;
+      for (int j = 0; j < terms.columns; ++j) {
+        const double left = terms[i][j] - (j < expected.columns ? along * y[j] : 0);
+        across += left * left;
+      }
+    }
+    r.along.push_back(along);
+    r.are_alike.push_back(squared > 0 && across <= tolerance * tolerance * squared);
+  }
+  return r;
+}
+
+// body(convention) of all that differ in what multiplies a term: phase, normalisation and a cosine's factors.
+template <class Body>
+void for_each_scaling(CoefficientOrder order, const Axes& axes, int bands, const Body& body) {
+  for (const Phase phase : {Phase::condon_shortley, Phase::none}) {
+    for (const Normalisation normalisation : {Normalisation::orthonormal, Normalisation::n3d, Normalisation::sn3d,
+                                              Normalisation::polynomial, Normalisation::furse_malham}) {
+      for (const Quantity quantity : {Quantity::radiance, Quantity::irradiance_over_pi, Quantity::irradiance}) {
+        const Convention convention{phase, order, normalisation, Meaning::expansion, axes, quantity};
+        if (bands - 1 <= greatest_degree(convention)) body(convention);
+      }
+    }
+  }
+}
+
+// How many times the convention's each of their terms is; none where it has a degree that is zero.
+inline std::vector<double> factors_by(const Convention& c, const std::vector<Term>& in_order,
+                                      const std::vector<double>& along) {
+  std::vector<double> factors;
+  for (std::size_t i = 0; i < along.size(); ++i) {
+    const Term at = in_order[i];
+    const long double by_cosine = quantity_factor(c.quantity, at.l);
+    if (!(by_cosine > 0 || by_cosine < 0)) return {};
+    factors.push_back(along[i] / static_cast<double>(basis_factor(c, at.l, at.m) * by_cosine));
+  }
+  return factors;
+}
+
+// Takes the place of `best` where it costs less, as it is or with the scale that most of its terms share.
+inline void keep_if_better(Reading& reading, double tolerance, Reading& best) {
+  std::vector<bool> are_others = reading.are_alike;
+  are_others.flip();
+  int agreeing = 0;
+  for (const double scale : {1.0, commonest(reading.factors, are_others, tolerance, agreeing)}) {
+    reading.scale = scale;
+    reading.cost = cost_of(reading, tolerance);
+    if (reading.cost < best.cost) best = reading;
+  }
+}
+
 inline Reading best_reading(const Matrix& terms, int bands, double tolerance) {
   Reading best;
-  const int count = bands * bands;
   for (const Axes& axes : all_axes()) {
     const Matrix expected = harmonics_about(axes, bands);
     for (const CoefficientOrder order : {CoefficientOrder::ascending, CoefficientOrder::alternating,
                                          CoefficientOrder::furse_malham, CoefficientOrder::descending}) {
       const std::vector<Term> in_order = terms_in(order, bands);
-      std::vector<double> along(static_cast<std::size_t>(count));
-      Reading reading;
-      reading.are_alike.resize(along.size());
-      for (int i = 0; i < count; ++i) {
-        const std::size_t k = static_cast<std::size_t>(i);
-        const double* y = expected[sh_index(in_order[k].l, in_order[k].m)];
-        along[k] = dot(terms[i], y, count);
-        const double squared = dot(terms[i], terms[i], terms.columns);
-        double across = squared - along[k] * along[k];
-        if (across < 1e-6 * squared) {  // without the cancellation
-          across = 0;
-          for (int j = 0; j < terms.columns; ++j) {
-            const double left = terms[i][j] - (j < count ? along[k] * y[j] : 0);
-            across += left * left;
-          }
-        }
-        reading.are_alike[k] = squared > 0 && across <= tolerance * tolerance * squared;
-      }
-      const auto others = std::count(reading.are_alike.begin(), reading.are_alike.end(), false);
+      const Likeness likeness = compare(terms, expected, in_order, tolerance);
+      const auto others = std::count(likeness.are_alike.begin(), likeness.are_alike.end(), false);
       if (static_cast<double>(others) / 2 >= best.cost) continue;  // it cannot be the best
-      reading.exchanged = count_exchanged(terms, expected, in_order, reading.are_alike, tolerance);
-      for (const Phase phase : {Phase::condon_shortley, Phase::none}) {
-        for (const Normalisation normalisation : {Normalisation::orthonormal, Normalisation::n3d, Normalisation::sn3d,
-                                                  Normalisation::polynomial, Normalisation::furse_malham}) {
-          for (const Quantity quantity : {Quantity::radiance, Quantity::irradiance_over_pi, Quantity::irradiance}) {
-            Convention& c = reading.convention;
-            c = Convention{phase, order, normalisation, Meaning::expansion, axes, quantity};
-            if (bands - 1 > greatest_degree(c)) continue;
-            reading.factors.clear();
-            bool is_possible = true;
-            for (int i = 0; i < count; ++i) {
-              const Term at = in_order[static_cast<std::size_t>(i)];
-              const long double by_cosine = quantity_factor(quantity, at.l);
-              if (!(by_cosine > 0 || by_cosine < 0)) is_possible = false;
-              reading.factors.push_back(along[static_cast<std::size_t>(i)] /
-                                        static_cast<double>(basis_factor(c, at.l, at.m) * by_cosine));
-            }
-            if (!is_possible) continue;
-            std::vector<bool> are_others = reading.are_alike;
-            are_others.flip();
-            int agreeing = 0;
-            const double common = commonest(reading.factors, are_others, tolerance, agreeing);
-            for (const double scale : {1.0, common}) {
-              reading.scale = scale;
-              reading.cost = cost_of(reading, tolerance);
-              if (reading.cost < best.cost) best = reading;
-            }
-          }
-        }
-      }
+      Reading reading;
+      reading.are_alike = likeness.are_alike;
+      reading.exchanged = count_exchanged(terms, expected, in_order, likeness.are_alike, tolerance);
+      for_each_scaling(order, axes, bands, [&](const Convention& convention) {
+        reading.convention = convention;
+        reading.factors = factors_by(convention, in_order, likeness.along);
+        if (!reading.factors.empty()) keep_if_better(reading, tolerance, best);
+      });
     }
   }
   return best;
 }
 
-// Whether their terms are those of a convention, all of them.
-inline bool has_basis_of(const Convention& convention, const Matrix& terms, int bands, double tolerance) {
-  if (bands - 1 > greatest_degree(convention)) return false;
-  const Matrix harmonics = harmonics_about(convention.axes, bands);
+// Whether their terms are those of a convention, all of them. harmonics: those about its axes.
+inline bool has_basis_of(const Convention& convention, const Matrix& harmonics, const Matrix& terms, int bands,
+                         double tolerance) {
   const std::vector<Term> in_order = terms_in(convention.order, bands);
   for (int i = 0; i < bands * bands; ++i) {
     const Term at = in_order[static_cast<std::size_t>(i)];
@@ -216,6 +244,20 @@ inline bool has_basis_of(const Convention& convention, const Matrix& terms, int 
     if (!(squares <= tolerance * tolerance * unit * unit)) return false;
   }
   return true;
+}
+
+// The named conventions that have their basis. Few systems of axes are named, and harmonics are turned once for each.
+inline std::vector<const NamedConvention*> named_bases(const Matrix& terms, int bands, double tolerance) {
+  std::vector<const NamedConvention*> found;
+  std::vector<std::pair<Axes, Matrix>> turned;
+  for (const NamedConvention& named : kConventions) {
+    const Convention& c = named.convention;
+    if ((named.bands != 0 && bands > named.bands) || bands - 1 > greatest_degree(c)) continue;
+    auto about = std::find_if(turned.begin(), turned.end(), [&](const auto& entry) { return entry.first == c.axes; });
+    if (about == turned.end()) about = turned.insert(about, {c.axes, harmonics_about(c.axes, bands)});
+    if (has_basis_of(c, about->second, terms, bands, tolerance)) found.push_back(&named);
+  }
+  return found;
 }
 }  // namespace detail::doctor
 }  // namespace ZONAL_TARGET

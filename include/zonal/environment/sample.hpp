@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "../scalar/for_each.hpp"
+#include "../scalar/luminance.hpp"
 #include "../transform/sample.hpp"
 #include "environment.hpp"
 
@@ -109,7 +110,7 @@ class EnvironmentSampler {
     if (is_uniform_) return 1;
     PictureFaults faults;
     const Rgb<float> c = environment_.radiance(column, row, faults);
-    return 0.2126 * double(c.r) + 0.7152 * double(c.g) + 0.0722 * double(c.b);
+    return kLuminanceWeights[0] * double(c.r) + kLuminanceWeights[1] * double(c.g) + kLuminanceWeights[2] * double(c.b);
   }
   template <class M>
   double weight(const M& mapping, int column, int row) const {

@@ -3,6 +3,7 @@
 
 #include <type_traits>
 
+#include "../scalar/luminance.hpp"
 #include "../transform/reconstruct_adjoint.hpp"  // channels_v, channel_of
 
 namespace zonal {
@@ -17,11 +18,10 @@ constexpr Sh<N, T> take_channel(const Sh<N, C>& sh, int which) {
   return r;
 }
 
-// The weights of RGB in luminance, ITU-R BT.709; of any other number of channels their mean.
+// The weights of RGB in luminance; of any other number of channels their mean.
 template <class C>
 constexpr double luminance_weight(int i) {
-  constexpr double weights[3] = {0.2126, 0.7152, 0.0722};
-  return channels_v<C> == 3 ? weights[i] : 1.0 / channels_v<C>;
+  return channels_v<C> == 3 ? kLuminanceWeights[i] : 1.0 / channels_v<C>;
 }
 
 template <class T, int N, class C>

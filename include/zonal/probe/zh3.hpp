@@ -150,26 +150,32 @@ constexpr Zh3<C> hallucinate_zh3(const Sh<2, C>& radiance, Zh3Axis kind = Zh3Axi
   return r;
 }
 
+namespace detail {
+// kernel(linear, zonal, axis) of each channel.
+template <class C, class Kernel>
+constexpr C by_channel(const Zh3<C>& zh3, Zh3Axis kind, const Kernel& kernel) {
+  C value = zh3.zonal;
+  for_each_axis(zh3.linear, kind, [&](int c, const auto& axis) {
+    channel_of(value, c) = kernel(take_channel<number_t<C>>(zh3.linear, c), channel_of(zh3.zonal, c), axis);
+  });
+  return value;
+}
+}  // namespace detail
+
 /// Radiance in a direction.
 template <class C, class Direction>
 constexpr C reconstruct(const Zh3<C>& zh3, const Direction& direction, Zh3Axis kind = Zh3Axis::luminance) {
-  C value = zh3.zonal;
-  detail::for_each_axis(zh3.linear, kind, [&](int c, const auto& axis) {
-    detail::channel_of(value, c) = reconstruct_zh3(detail::take_channel<detail::number_t<C>>(zh3.linear, c),
-                                                   detail::channel_of(zh3.zonal, c), axis, direction);
+  return detail::by_channel(zh3, kind, [&](const auto& linear, const auto& zonal, const auto& axis) {
+    return reconstruct_zh3(linear, zonal, axis, direction);
   });
-  return value;
 }
 
 /// E / pi at a normal.
 template <class C, class Direction>
 constexpr C irradiance_over_pi(const Zh3<C>& zh3, const Direction& normal, Zh3Axis kind = Zh3Axis::luminance) {
-  C value = zh3.zonal;
-  detail::for_each_axis(zh3.linear, kind, [&](int c, const auto& axis) {
-    detail::channel_of(value, c) = irradiance_zh3_over_pi(detail::take_channel<detail::number_t<C>>(zh3.linear, c),
-                                                          detail::channel_of(zh3.zonal, c), axis, normal);
+  return detail::by_channel(zh3, kind, [&](const auto& linear, const auto& zonal, const auto& axis) {
+    return irradiance_zh3_over_pi(linear, zonal, axis, normal);
   });
-  return value;
 }
 
 /// As coefficients of three bands.

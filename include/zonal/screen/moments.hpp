@@ -1,8 +1,8 @@
 // Incident radiance in six floats: its integral, RGB, and the integral of its luminance times the direction. They are
 // sums, so they are filtered as coefficients are; and they can be read in two ways, which is why one type serves both:
 //
-//   as_first_degree   luminance of degrees 0 and 1 and the colour of degree 0: what renderers call L1 luminance and
-//   CoCg as_gaussian       one spherical Gaussian, about the vector, as sharp as the vector is long
+// as_first_degree: luminance of degrees 0 and 1 and the colour of degree 0, what renderers call L1 luminance and CoCg.
+// as_gaussian: one spherical Gaussian, about the vector, as sharp as the vector is long.
 //
 // [1] Y. Tokuyoshi, Virtual spherical Gaussian lights for real-time glossy indirect illumination, CGF 34(7), 2015.
 // [2] A. Banerjee et al., Clustering on the unit hypersphere using von Mises-Fisher distributions, JMLR 6, 2005.
@@ -14,14 +14,15 @@
 #include <glm/vec3.hpp>
 
 #include "../lobe/spherical_gaussian.hpp"
+#include "../scalar/luminance.hpp"
 #include "../transform/orient.hpp"
 #include "incident.hpp"
 
 namespace zonal {
 inline namespace ZONAL_TARGET {
 
-/// The weights of RGB in luminance, ITU-R BT.709.
-inline constexpr glm::vec3 kLuminance{0.2126F, 0.7152F, 0.0722F};
+/// luminance.hpp's weights of RGB.
+inline constexpr glm::vec3 kLuminance{kLuminanceWeights[0], kLuminanceWeights[1], kLuminanceWeights[2]};
 
 struct RadianceMoments {
   glm::vec3 total{0};   // the integral of radiance, W/m^2, RGB

@@ -24,9 +24,11 @@ set(files command_line.cpp image.cpp image_file.cpp input_error.cpp output_file.
 list(TRANSFORM files PREPEND ${PROJECT_SOURCE_DIR}/examples/shared/)
 add_library(example-basics STATIC ${files})
 zonal_own_target(example-basics)
+zonal_joined(example-basics)
 target_link_libraries(example-basics PUBLIC CLI11::CLI11 PRIVATE OpenEXR::OpenEXR)
 target_include_directories(example-basics PUBLIC ${PROJECT_SOURCE_DIR}/examples)
 target_include_directories(example-basics SYSTEM PRIVATE ${ZONAL_STB_INCLUDE_DIR})
-# As example_small_code.
-set_source_files_properties(${PROJECT_SOURCE_DIR}/examples/shared/command_line.cpp PROPERTIES
-  COMPILE_OPTIONS $<$<CONFIG:Release>:-O1>)
+if(NOT ZONAL_QUICK)  # as example_small_code
+  set_source_files_properties(${PROJECT_SOURCE_DIR}/examples/shared/command_line.cpp PROPERTIES
+    COMPILE_OPTIONS $<$<CONFIG:Release>:-O1>)
+endif()

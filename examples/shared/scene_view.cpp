@@ -151,16 +151,16 @@ void stand_inside(Scene& scene, const RayCaster& caster, const Bounds& bounds) {
   float best = -std::numeric_limits<float>::infinity();
   for (const glm::vec3& forward : {glm::vec3(0, 0, -1), glm::vec3(-1, 0, 0), glm::vec3(1, 0, 0), glm::vec3(0, 0, 1)}) {
     for (const float behind : from_end) {
-      for (const float height : heights) {
+      for (const float above : heights) {
         for (const float aside : beside) {
-          glm::vec3 share(aside, height, aside);
+          glm::vec3 share(aside, above, aside);
           const int axis = forward.x != 0.0f ? 0 : 2;
           share[axis] = forward[axis] < 0.0f ? 1.0f - behind : behind;
           Camera camera;
           camera.position = at_share(bounds, share);
           camera.target = camera.position + forward * bounds.radius();
           camera.vertical_field_of_view = glm::radians(70.0f);
-          const float off_middle = behind + std::abs(height - 0.5f) + std::abs(aside - 0.5f);
+          const float off_middle = behind + std::abs(above - 0.5f) + std::abs(aside - 0.5f);
           const float score = openness(caster, camera, 4.0f * bounds.radius()) - 2.0f * off_middle;
           if (score <= best + 1e-4f) continue;
           best = score;

@@ -16,6 +16,6 @@
 #include "../../tools/zonal-glsl/plan_file.cpp"
 #include "../../tools/zonal-probe/coefficients_file.cpp"
 #include "../../tools/zonal-probe/conventions.cpp"
+#include "../../tools/zonal-probe/mapping_words.cpp"
 #include "../../tools/zonal-probe/options.cpp"
-#include "../../tools/zonal-probe/picture.cpp"
 #include "../../tools/zonal-probe/window.cpp"

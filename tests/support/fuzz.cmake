@@ -7,8 +7,11 @@ if(NOT compiler)
 endif()
 string(REPLACE "|" ";-idirafter" system_dirs "${system_dirs}")
 find_path(stb_dir stb_image.h PATHS /usr/include /usr/local/include PATH_SUFFIXES stb)
-execute_process(COMMAND pkg-config --cflags --libs OpenEXR OUTPUT_VARIABLE openexr ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
-separate_arguments(openexr UNIX_COMMAND "${openexr}")
+foreach(part cflags libs)
+  execute_process(COMMAND pkg-config --${part} OpenEXR OUTPUT_VARIABLE openexr_${part} ERROR_QUIET
+    OUTPUT_STRIP_TRAILING_WHITESPACE)
+  separate_arguments(openexr_${part} UNIX_COMMAND "${openexr_${part}}")
+endforeach()
 set(sanitizers -fsanitize=fuzzer,address,undefined,float-cast-overflow -fno-sanitize-recover=all)
 if(libraries)
   set(level -O0)  # half the time to compile, and not many inputs
@@ -18,7 +21,8 @@ else()
   set(bands 3)
 endif()
 set(flags -std=c++20 ${level} -g1 -DZONAL_INLINE= -DZONAL_GLSL_MAX_BANDS=${bands} -I${source_dir}/include
-  -I${source_dir}/examples -I${source_dir}/tools -I${source_dir}/tools/zonal-glsl ${system_dirs} -idirafter${stb_dir})
+  -I${source_dir}/examples -I${source_dir}/tools -I${source_dir}/tools/zonal-glsl ${system_dirs} ${openexr_cflags}
+  -idirafter${stb_dir})
 file(REMOVE_RECURSE ${work_dir}/corpus)
 file(MAKE_DIRECTORY ${work_dir}/corpus)
 
@@ -28,7 +32,7 @@ macro(can missing)
   foreach(header ${ARGN})
     file(APPEND ${work_dir}/probe.cpp "#include <${header}>\n")
   endforeach()
-  execute_process(COMMAND ${compiler} ${flags} ${sanitizers} ${work_dir}/probe.cpp ${openexr} -o ${work_dir}/probe
+  execute_process(COMMAND ${compiler} ${flags} ${sanitizers} ${work_dir}/probe.cpp ${openexr_libs} -o ${work_dir}/probe
     RESULT_VARIABLE result OUTPUT_QUIET ERROR_QUIET)
   if(NOT result EQUAL 0)
     message("skipped: ${missing}")
@@ -48,11 +52,14 @@ if(NOT libraries)
   endforeach()
 endif()
 string(REPLACE "|" ";" libraries "${libraries}")
-execute_process(COMMAND ${compiler} ${flags} ${sanitizers} ${sources} ${libraries} ${openexr} -o ${work_dir}/fuzz
-  RESULT_VARIABLE result)
-if(NOT result EQUAL 0)
-  message(FATAL_ERROR "it does not compile")
-endif()
+foreach(source IN LISTS sources)
+  get_filename_component(name ${source} NAME_WE)
+  list(APPEND objects ${work_dir}/${name}.o)
+  execute_process(COMMAND $ENV{CMAKE_CXX_COMPILER_LAUNCHER} ${compiler} ${flags} ${sanitizers} -c ${source}
+    -o ${work_dir}/${name}.o COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
+execute_process(COMMAND ${compiler} ${sanitizers} ${objects} ${libraries} ${openexr_libs} -o ${work_dir}/fuzz
+  COMMAND_ERROR_IS_FATAL ANY)
 
 # run_target(<name, or nothing for all together>)
 function(run_target name)

@@ -4,7 +4,7 @@
 #include <cctype>
 
 #include "conventions.hpp"
-#include "picture.hpp"
+#include "mapping_words.hpp"
 #include "shared/command_line.hpp"
 #include "shared/input_error.hpp"
 

@@ -1,6 +1,5 @@
 #include "picture.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -9,6 +8,7 @@
 #include <zonal/environment/guess.hpp>
 #include <zonal/environment/project.hpp>
 
+#include "mapping_words.hpp"
 #include "shared/image_file.hpp"
 #include "shared/input_error.hpp"
 
@@ -33,18 +33,6 @@ zonal::Mapping mapping_of(const zonal::Picture<const float>& picture, const std:
 }
 
 }  // namespace
-
-std::string mapping_word(zonal::Mapping mapping) {
-  std::string word = zonal::mapping_name(mapping);
-  std::replace(word.begin(), word.end(), ' ', '-');
-  return word;
-}
-
-std::vector<std::string> mapping_words() {
-  std::vector<std::string> words{"auto"};
-  for (int i = 0; i < zonal::kMappingCount; ++i) words.push_back(mapping_word(static_cast<zonal::Mapping>(i)));
-  return words;
-}
 
 zonal::Frame frame_of(zonal::Mapping mapping) {
   const bool is_of_interface = mapping == zonal::Mapping::vertical_faces || mapping == zonal::Mapping::horizontal_faces;

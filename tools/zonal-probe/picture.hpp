@@ -25,10 +25,6 @@ struct SkyPicture {
 /// `mapping`: one of mapping_words(). Throws InputError.
 SkyPicture read_sky(const std::string& path, const std::string& mapping);
 
-/// auto, equirectangular, vertical-cross, ...
-std::vector<std::string> mapping_words();
-std::string mapping_word(zonal::Mapping mapping);
-
 /// Which way a mapping's x, y and z go: the library's frame of pictures, but Direct3D's for faces of cubes in a row.
 zonal::Frame frame_of(zonal::Mapping mapping);
 

@@ -70,7 +70,7 @@ function(run_target name)
     list(APPEND environment ZONAL_TARGET=${name})
   endif()
   execute_process(COMMAND ${CMAKE_COMMAND} -E env ${environment} ${work_dir}/fuzz ${corpus} -dict=${corpus}.words
-    -seed=1 -max_len=8192 -rss_limit_mb=3000 -timeout=30 -close_fd_mask=1 -artifact_prefix=${work_dir}/ ${limit}
+    -seed=1 -print_funcs=0 -max_len=8192 -rss_limit_mb=3000 -timeout=30 -close_fd_mask=1 -artifact_prefix=${work_dir}/ ${limit}
     WORKING_DIRECTORY ${work_dir} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   file(WRITE ${work_dir}/${name}.log "${output}")
   if(NOT result EQUAL 0)

@@ -17,7 +17,7 @@ using zonal::Interpolation;
 
 /// Vertices along the longest axis, and how far near lights reach, in cells.
 constexpr std::array resolutions{3, 4, 6, 8, 11, 16, 22, 32};
-constexpr std::array reaches{0.0f, 1.5f, 3.0f, 5.0f};
+constexpr std::array tried_reaches{0.0f, 1.5f, 3.0f, 5.0f};
 
 /// Of the points one of so many, which tell what is hopeless.
 constexpr std::size_t few = 48;
@@ -78,7 +78,7 @@ std::vector<Candidate> candidates(const SphereLights& lights, const std::vector<
   all.push_back({{}, cost({}, 0.0), static_cast<double>(lights.size())});
   for (const int longest : resolutions) {
     const glm::ivec3 resolution = resolution_of(box, longest);
-    for (const float reach : reaches) {
+    for (const float reach : tried_reaches) {
       const float to = reach * longest_side(box, resolution);
       const NearRange near{0.2f * to, to};
       const double near_lights = mean_near_lights(hits, lights, near);

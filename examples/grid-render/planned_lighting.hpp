@@ -167,7 +167,7 @@ class PlannedLightingOf final : public PlannedLighting {
       const std::size_t i = one_of * static_cast<std::size_t>(number);
       const auto& [hit, outgoing] = points.hits[i];
       zonal::Sh<N, glm::vec3> trilinear, hermite;
-      cells.visit(hit.position, [&](const auto& grid) {
+      cells.visit(hit.position, [&, &hit = hit](const auto& grid) {  // clang++ captures a binding from 16 on only
         trilinear = zonal::interpolate<Interpolation::trilinear>(grid, hit.position);
         hermite = zonal::interpolate<Interpolation::hermite>(grid, hit.position);
       });

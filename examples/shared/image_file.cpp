@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <fstream>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -37,20 +38,63 @@ struct StbPicture {
   std::vector<Sample> samples;
 };
 
-/// PNM of 16 bits: of these stb_image 2.27 reads beyond its memory, and takes their bytes in the wrong order.
-bool is_long_pnm(const std::string& path) {
+/// The digits of the next number in a PNM file's head, after blanks and remarks; none where something else stands
+/// there.
+std::string pnm_digits(std::istream& file) {
+  const auto is_blank = [](int c) { return c == ' ' || (c >= '\t' && c <= '\r'); };
+  const auto is_in_line = [&] { return file.peek() != '\n' && file.peek() != '\r' && file.good(); };
+  while (is_blank(file.peek()) || file.peek() == '#') {
+    if (file.get() == '#') {
+      while (is_in_line()) file.get();
+    }
+  }
+  std::string digits;
+  while (file.peek() >= '0' && file.peek() <= '9') digits += static_cast<char>(file.get());
+  return digits;
+}
+
+struct PnmHead {
+  std::int64_t width = 0, height = 0, samples_per_pixel = 0, start = 0;
+};
+
+/// Of a PNM file of bytes. Refuses what stb_image 2.27 does not read as it should: numbers that overflow it, and
+/// samples of 16 bits, for which it reads beyond its memory, and in the wrong order.
+std::optional<PnmHead> pnm_head(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
   char magic[2] = {};
-  std::ifstream(path, std::ios::binary).read(magic, 2);
-  return magic[0] == 'P' && stbi_is_16_bit(path.c_str()) != 0;
+  file.read(magic, 2);
+  if (magic[0] != 'P' || (magic[1] != '5' && magic[1] != '6')) return std::nullopt;
+  const auto next = [&]() -> std::int64_t {
+    const std::string digits = pnm_digits(file);
+    if (digits.empty() || digits.size() > 9) throw InputError(path + ": has no head as a PNM file has");
+    return std::stoi(digits);
+  };
+  PnmHead head;
+  head.width = next();
+  head.height = next();
+  if (next() > 255) throw InputError(path + ": is PNM of 16 bits, which is not read; PNG is");
+  head.samples_per_pixel = magic[1] == '6' ? 3 : 1;
+  file.clear();
+  head.start = file.tellg() + std::streamoff{1};
+  return head;
+}
+
+/// Of pixels that are not there stb_image makes whatever the memory held.
+void check_is_whole(const std::string& path, const PnmHead& head) {
+  const std::int64_t end = head.start + head.width * head.height * head.samples_per_pixel;
+  if (end > static_cast<std::int64_t>(std::filesystem::file_size(path))) {
+    throw InputError(path + ": ends before its last pixel");
+  }
 }
 
 /// By a function of stb_image; with 1 or 3 channels, whatever the file has.
 template <class Sample>
 StbPicture<Sample> read_by_stb(const std::string& path, Sample* (*load)(const char*, int*, int*, int*, int),
                                int channels, std::int64_t most_pixels) {
-  if (is_long_pnm(path)) throw InputError(path + ": is PNM of 16 bits, which is not read; PNG is");
+  const std::optional<PnmHead> pnm = pnm_head(path);
   int width = 0, height = 0, in_file = 0;
   if (stbi_info(path.c_str(), &width, &height, &in_file) != 0) check_size(path, width, height, most_pixels);
+  if (pnm) check_is_whole(path, *pnm);
   const std::unique_ptr<Sample, decltype(&stbi_image_free)> read(load(path.c_str(), &width, &height, &in_file, 0),
                                                                  &stbi_image_free);
   if (!read) throw InputError(path + ": cannot be read as a picture (" + one_line(stbi_failure_reason()) + ")");

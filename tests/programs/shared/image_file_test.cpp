@@ -78,12 +78,24 @@ TEST_CASE("a luminance-chroma OpenEXR file has its colours back") {
   CHECK(worst < 4e-3F);
 }
 
-TEST_CASE("PNM of 16 bits is refused, and of 8 bits read") {
+TEST_CASE("PNM of 16 bits, of numbers that overflow or without its last pixel is refused, and of 8 bits read") {
   const file_test::Folder folder;
   file_test::write(folder.path / "grey.pgm", std::string("P5 2 2 65535\n\xff\xff\x80\x00\x40\xff\x00\x00", 21));
   CHECK_THROWS_AS(read_picture(folder.path / "grey.pgm"), InputError);
   CHECK_THROWS_AS(read_texture(folder.path / "grey.pgm", TextureUse::values), InputError);
-  file_test::write(folder.path / "grey.pgm", std::string("P5 2 1 255\n\xff\x33", 13));
+  // stb_image's int overflows; it takes no number for 0, and remarks for blanks.
+  for (const std::string head :
+       {"P6 2 31444444444444444444444444444444", "P5\n# wide\n9999999999\t1 255 ", "P5 2#remark\r1#9\n4294967295 "}) {
+    CAPTURE(head);
+    file_test::write(folder.path / "long.ppm", head + "\n\xff\xff\xff");
+    CHECK_THROWS_AS(read_picture(folder.path / "long.ppm"), InputError);
+  }
+  for (const std::string head : {"P5 2 1 ", "P5 x 9999999999 1 255 ", "P5 2 1 255", "P6 2 1 255\nabcde"}) {
+    CAPTURE(head);
+    file_test::write(folder.path / "short.ppm", head);
+    CHECK_THROWS_AS(read_picture(folder.path / "short.ppm"), InputError);
+  }
+  file_test::write(folder.path / "grey.pgm", std::string("P5#a remark\n2 1#9999999999\r255\n\xff\x33", 33));
   const Image image = read_picture(folder.path / "grey.pgm");
   REQUIRE((image.width == 2 && image.height == 1));
   CHECK(image.pixels[0] == glm::vec3(1));

@@ -87,14 +87,20 @@ void check_is_whole(const std::string& path, const PnmHead& head) {
   }
 }
 
+/// Before stb_image is asked for anything else of a file. How many channels it has; 3 where none can tell.
+int check_for_stb(const std::string& path, std::int64_t most_pixels) {
+  const std::optional<PnmHead> pnm = pnm_head(path);
+  int width = 0, height = 0, channels = 3;
+  if (stbi_info(path.c_str(), &width, &height, &channels) != 0) check_size(path, width, height, most_pixels);
+  if (pnm) check_is_whole(path, *pnm);
+  return channels;
+}
+
 /// By a function of stb_image; with 1 or 3 channels, whatever the file has.
 template <class Sample>
 StbPicture<Sample> read_by_stb(const std::string& path, Sample* (*load)(const char*, int*, int*, int*, int),
-                               int channels, std::int64_t most_pixels) {
-  const std::optional<PnmHead> pnm = pnm_head(path);
+                               int channels) {
   int width = 0, height = 0, in_file = 0;
-  if (stbi_info(path.c_str(), &width, &height, &in_file) != 0) check_size(path, width, height, most_pixels);
-  if (pnm) check_is_whole(path, *pnm);
   const std::unique_ptr<Sample, decltype(&stbi_image_free)> read(load(path.c_str(), &width, &height, &in_file, 0),
                                                                  &stbi_image_free);
   if (!read) throw InputError(path + ": cannot be read as a picture (" + one_line(stbi_failure_reason()) + ")");
@@ -247,11 +253,11 @@ Image read_picture(const std::filesystem::path& path, std::int64_t most_pixels) 
   if (is_exr(path)) return read_exr(path, most_pixels);
   check_is_file(path);
   const std::string name = path.string();
+  check_for_stb(name, most_pixels);
   if (stbi_is_hdr(name.c_str()) != 0) {
-    return image_of(read_by_stb(name, stbi_loadf, 3, most_pixels), [](const glm::vec3& radiance) { return radiance; });
+    return image_of(read_by_stb(name, stbi_loadf, 3), [](const glm::vec3& radiance) { return radiance; });
   }
-  return image_of(read_by_stb(name, stbi_load, 3, most_pixels),
-                  [](const glm::vec3& bytes) { return decode_srgb(bytes / 255.0f); });
+  return image_of(read_by_stb(name, stbi_load, 3), [](const glm::vec3& bytes) { return decode_srgb(bytes / 255.0f); });
 }
 
 bool is_encoded_for_display(const std::filesystem::path& path) {
@@ -268,21 +274,19 @@ Texture read_texture(const std::filesystem::path& path, TextureUse use, std::int
   }
   check_is_file(path);
   const std::string name = path.string();
-  int width = 0, height = 0, in_file = 3;
-  stbi_info(name.c_str(), &width, &height, &in_file);
-  const int channels = in_file < 3 ? 1 : 3;
+  const int channels = check_for_stb(name, most_pixels) < 3 ? 1 : 3;
   if (stbi_is_hdr(name.c_str()) != 0) {
-    const auto picture = read_by_stb(name, stbi_loadf, channels, most_pixels);
+    const auto picture = read_by_stb(name, stbi_loadf, channels);
     return {picture.width, picture.height, channels, floats_of(picture, [](float value) { return value; })};
   }
   if (stbi_is_16_bit(name.c_str()) != 0) {
-    const auto picture = read_by_stb(name, stbi_load_16, channels, most_pixels);
+    const auto picture = read_by_stb(name, stbi_load_16, channels);
     return {picture.width, picture.height, channels, floats_of(picture, [use](stbi_us sample) {
               const float share = static_cast<float>(sample) / 65535.0f;
               return use == TextureUse::colour ? decode_srgb(glm::vec3(share)).r : share;
             })};
   }
-  StbPicture<std::uint8_t> picture = read_by_stb(name, stbi_load, channels, most_pixels);
+  StbPicture<std::uint8_t> picture = read_by_stb(name, stbi_load, channels);
   return {picture.width, picture.height, channels, std::move(picture.samples), use};
 }
 

@@ -276,6 +276,11 @@ TEST_CASE("doctor: directions of one's own, as many as there are terms, and refu
   const Diagnosis found = zonal::diagnose(3, drawn, values);
   CHECK(found.is_right);
   CHECK(std::count(found.names.begin(), found.names.end(), "unity") == 1);
+  std::vector<Direction> rounded = drawn;  // to three digits, say
+  for (std::size_t k = 0; k < rounded.size(); ++k) {
+    for (double& component : rounded[k]) component *= k % 2 == 0 ? 1 + 9e-4 : 1 - 9e-4;
+  }
+  CHECK(zonal::diagnose(3, rounded, values).names == found.names);
   CHECK_THROWS_AS(of(8, std::vector<double>(72)), std::invalid_argument);
   CHECK_THROWS_AS(of(9, std::vector<double>(80)), std::invalid_argument);
   CHECK_THROWS_AS(zonal::diagnose(0, drawn, {}), std::invalid_argument);

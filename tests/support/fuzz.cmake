@@ -55,7 +55,11 @@ string(REPLACE "|" ";" libraries "${libraries}")
 foreach(source IN LISTS sources)
   get_filename_component(name ${source} NAME_WE)
   list(APPEND objects ${work_dir}/${name}.o)
-  execute_process(COMMAND $ENV{CMAKE_CXX_COMPILER_LAUNCHER} ${compiler} ${flags} ${sanitizers} -c ${source}
+  set(tolerated)
+  if(name STREQUAL "stb")  # of a PNG without data stb_image copies no bytes, to nowhere
+    set(tolerated -fno-sanitize=nonnull-attribute)
+  endif()
+  execute_process(COMMAND $ENV{CMAKE_CXX_COMPILER_LAUNCHER} ${compiler} ${flags} ${sanitizers} ${tolerated} -c ${source}
     -o ${work_dir}/${name}.o COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
 execute_process(COMMAND ${compiler} ${sanitizers} ${objects} ${libraries} ${openexr_libs} -o ${work_dir}/fuzz

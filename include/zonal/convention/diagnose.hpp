@@ -52,10 +52,16 @@ inline void check_input(int bands, const std::vector<Direction>& directions, con
     refuse(std::to_string(values.size()) + " values for " + std::to_string(directions.size()) + " directions of " +
            std::to_string(count) + " terms");
   }
-  for (const Direction& d : directions) {
+}
+
+// Without what rounding to a few digits has changed of their length.
+inline std::vector<Direction> unit_vectors(std::vector<Direction> directions) {
+  for (Direction& d : directions) {
     const double length = std::hypot(d[0], d[1], d[2]);
     if (!(std::abs(length - 1) < 1e-3)) refuse("a direction that is no unit vector");
+    for (double& component : d) component /= length;
   }
+  return directions;
 }
 
 // A direction a row. What is no number is a fault, and 0.
@@ -107,7 +113,7 @@ inline void name_faults(const Fit& fitted, Diagnosis& r) {
 }  // namespace detail::doctor
 
 /// What basis these are the values of: `values` holds bands * bands numbers for each direction, one direction after the
-/// other, in the order in which the code under test has them. Directions are unit vectors, best those of
+/// other, in the order in which the code under test has them. Directions are unit vectors, to 1e-3, best those of
 /// diagnosis_directions(); at least bands^2 of them, and twice that to be told mixtures with other degrees.
 ///
 /// A term counts as wrong from a relative difference of 1e-5 on, or of 20 times the noise. Named conventions with noise
@@ -119,7 +125,7 @@ inline Diagnosis diagnose(int bands, const std::vector<Direction>& directions, c
   check_input(bands, directions, values);
   Diagnosis r;
   r.bands = bands;
-  const Fit fitted = fit_beyond(bands, directions, table_of(bands * bands, values, r.faults));
+  const Fit fitted = fit_beyond(bands, unit_vectors(directions), table_of(bands * bands, values, r.faults));
   r.noise = middle_of(fitted.rest);
   r.tolerance = (std::max)(1e-5, 20 * r.noise);
   const std::vector<const NamedConvention*> found = named_bases(fitted.terms, bands, r.tolerance);

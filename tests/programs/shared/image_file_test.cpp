@@ -89,6 +89,7 @@ TEST_CASE("PNM of 16 bits, of numbers that overflow or without its last pixel is
     CAPTURE(head);
     file_test::write(folder.path / "long.ppm", head + "\n\xff\xff\xff");
     CHECK_THROWS_AS(read_picture(folder.path / "long.ppm"), InputError);
+    CHECK_THROWS_AS(read_texture(folder.path / "long.ppm", TextureUse::colour), InputError);
   }
   for (const std::string head : {"P5 2 1 ", "P5 x 9999999999 1 255 ", "P5 2 1 255", "P6 2 1 255\nabcde"}) {
     CAPTURE(head);

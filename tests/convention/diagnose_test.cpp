@@ -178,6 +178,10 @@ TEST_CASE("doctor: what is no harmonic, no number, zero, or scaled as a whole") 
   wrong.at(3, 5) = std::nan("");
   CHECK(has_fault(diagnose(wrong), "term 5 is no number at 1 of 100 directions"));
   wrong = right;
+  for (std::size_t k = 0; k < 7; ++k) wrong.at(k, 5) = k % 2 == 0 ? 1e300 : -1e300;
+  CHECK(has_fault(diagnose(wrong), "term 5 is no number at 7 of 100 directions"));
+  CHECK(std::isfinite(diagnose(wrong).noise));
+  wrong = right;
   for (double& v : wrong.values) v *= 3.14159265358979;
   CHECK(has_fault(diagnose(wrong), "all terms are 3.1416 (pi)"));
   CHECK(diagnose(wrong).faults.size() == 1);

@@ -64,14 +64,14 @@ inline std::vector<Direction> unit_vectors(std::vector<Direction> directions) {
   return directions;
 }
 
-// A direction a row. What is no number is a fault, and 0.
+// A direction a row. What is no number, or so large that squares are none, is a fault, and 0.
 inline Matrix table_of(int terms, const std::vector<double>& values, std::vector<std::string>& faults) {
   Matrix table(static_cast<int>(values.size() / static_cast<std::size_t>(terms)), terms);
   std::copy(values.begin(), values.end(), table.values.begin());
   for (int i = 0; i < terms; ++i) {
     int missing = 0;
     for (int k = 0; k < table.rows; ++k) {
-      if (!std::isfinite(table[k][i])) ++missing, table[k][i] = 0;
+      if (!(std::abs(table[k][i]) <= 1e100)) ++missing, table[k][i] = 0;
     }
     if (missing == 0) continue;
     faults.push_back("term " + std::to_string(i) + " is no number at " + std::to_string(missing) + " of " +

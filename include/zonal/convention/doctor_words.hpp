@@ -76,7 +76,12 @@ inline std::string parts_text(const double* term, const Matrix& harmonics, int b
       greatest = (std::max)(greatest, std::abs(along));
     }
   }
-  std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.size > b.size; });
+  // The greatest first; those alike but for rounding by degree and order.
+  const auto rank = [&](const Part& part) {
+    const double steps = std::round(part.size / (tolerance * greatest));
+    return steps > 0 ? steps : 0;  // of what is no number too
+  };
+  std::stable_sort(parts.begin(), parts.end(), [&](const Part& a, const Part& b) { return rank(a) > rank(b); });
   std::string text;
   int shown = 0;
   for (const Part& part : parts) {

@@ -1,6 +1,7 @@
 # Builds tests/fuzz with libFuzzer and the sanitizers, and runs it: `limit` is libFuzzer's option of how long, from a
 # fixed seed; `targets`, if any, are fed one after the other, each so long. `libraries`, if any, have what else takes
-# long to compile, tests/fuzz/programs.cpp, and no sanitizers. Longer and without these by scripts/fuzz.sh.
+# long to compile, tests/fuzz/programs.cpp, and no sanitizers; `target` is the processor flag by which they are built.
+# Longer and without these by scripts/fuzz.sh.
 if(NOT compiler)
   message("skipped: no clang++ found")
   return()
@@ -14,7 +15,7 @@ foreach(part cflags libs)
 endforeach()
 set(sanitizers -fsanitize=fuzzer,address,undefined,float-cast-overflow -fno-sanitize-recover=all)
 if(libraries)
-  set(level -O0)  # half the time to compile, and not many inputs
+  set(level -O0 ${target})  # half the time to compile, and not many inputs
   set(bands 10)  # as the libraries are
 else()
   set(level -O1)
@@ -62,8 +63,9 @@ foreach(source IN LISTS sources)
   execute_process(COMMAND $ENV{CMAKE_CXX_COMPILER_LAUNCHER} ${compiler} ${flags} ${sanitizers} ${tolerated} -c ${source}
     -o ${work_dir}/${name}.o COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
-execute_process(COMMAND ${compiler} ${sanitizers} ${objects} ${libraries} ${openexr_libs} -o ${work_dir}/fuzz
-  COMMAND_ERROR_IS_FATAL ANY)
+# Of what the libraries have as well, the first counts: the one with sanitizers.
+execute_process(COMMAND ${compiler} ${sanitizers} ${objects} -Wl,--allow-multiple-definition -Wl,--start-group ${libraries}
+  -Wl,--end-group ${openexr_libs} -o ${work_dir}/fuzz COMMAND_ERROR_IS_FATAL ANY)
 
 # run_target(<name, or nothing for all together>)
 function(run_target name)

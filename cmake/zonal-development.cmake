@@ -42,7 +42,7 @@ function(zonal_own_target target)
 endfunction()
 
 # zonal_joined(<target>): in the quick build eight files at a time are compiled as one, for most of a small file's time
-# goes into headers: a third to a half is left. A file includes what it needs all the same, as the release build shows.
+# goes into headers: a quarter to a half is left. A file includes what it needs all the same, as the release build shows.
 function(zonal_joined target)
   if(ZONAL_QUICK)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)

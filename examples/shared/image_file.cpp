@@ -79,7 +79,7 @@ std::optional<PnmHead> pnm_head(const std::string& path) {
   return head;
 }
 
-/// Of pixels that are not there stb_image makes whatever the memory held.
+/// stb_image does not miss pixels that are not there.
 void check_is_whole(const std::string& path, const PnmHead& head) {
   const std::int64_t end = head.start + head.width * head.height * head.samples_per_pixel;
   if (end > static_cast<std::int64_t>(std::filesystem::file_size(path))) {

@@ -9,5 +9,6 @@ list(JOIN fuzzed "|" fuzzed)
 set(name "fuzz: every reader of files and command line")
 add_test(NAME ${name} COMMAND ${CMAKE_COMMAND} -Dcompiler=${ZONAL_CLANGXX} -Dsource_dir=${PROJECT_SOURCE_DIR}
   -Dsystem_dirs=|$<JOIN:$<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>,|> -Dlibraries=${fuzzed}
-  -Dtarget=$<$<BOOL:${ZONAL_NATIVE}>:-march=native> -Dwork_dir=${CMAKE_CURRENT_BINARY_DIR}/fuzz -Dlimit=-runs=2000 -P ${PROJECT_SOURCE_DIR}/tests/support/fuzz.cmake)
+  -Dtarget=$<$<BOOL:${ZONAL_NATIVE}>:-march=native> -Dwork_dir=${CMAKE_CURRENT_BINARY_DIR}/fuzz -Dlimit=-runs=2000
+  -P ${PROJECT_SOURCE_DIR}/tests/support/fuzz.cmake)
 set_tests_properties(${name} PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:" TIMEOUT 900)

@@ -15,13 +15,13 @@ foreach(part cflags libs)
 endforeach()
 set(sanitizers -fsanitize=fuzzer,address,undefined,float-cast-overflow -fno-sanitize-recover=all)
 if(libraries)
-  set(level -O0 ${target})  # half the time to compile, and not many inputs
+  set(level -O0)  # half the time to compile, and not many inputs
   set(bands 10)  # as the libraries are
 else()
   set(level -O1)
   set(bands 3)
 endif()
-set(flags -std=c++20 ${level} -g1 -DZONAL_INLINE= -DZONAL_GLSL_MAX_BANDS=${bands} -I${source_dir}/include
+set(flags -std=c++20 ${level} ${target} -g1 -DZONAL_INLINE= -DZONAL_GLSL_MAX_BANDS=${bands} -I${source_dir}/include
   -I${source_dir}/examples -I${source_dir}/tools -I${source_dir}/tools/zonal-glsl ${system_dirs} ${openexr_cflags}
   -idirafter${stb_dir})
 file(REMOVE_RECURSE ${work_dir}/corpus)
@@ -76,7 +76,8 @@ function(run_target name)
     list(APPEND environment ZONAL_TARGET=${name})
   endif()
   execute_process(COMMAND ${CMAKE_COMMAND} -E env ${environment} ${work_dir}/fuzz ${corpus} -dict=${corpus}.words
-    -seed=1 -print_funcs=0 -max_len=8192 -rss_limit_mb=3000 -timeout=30 -close_fd_mask=1 -artifact_prefix=${work_dir}/ ${limit}
+    -seed=1 -print_funcs=0 -max_len=8192 -rss_limit_mb=3000 -timeout=30 -close_fd_mask=1 -artifact_prefix=${work_dir}/
+    ${limit}
     WORKING_DIRECTORY ${work_dir} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   file(WRITE ${work_dir}/${name}.log "${output}")
   if(NOT result EQUAL 0)

@@ -97,7 +97,7 @@ inline double middle_of(std::vector<double> values) {
   return *middle;
 }
 
-// What a basis that nobody's is comes nearest to, and what is wrong with it then.
+// What a basis that is of no name comes nearest to, and what is then wrong with it.
 inline void name_faults(const Fit& fitted, Diagnosis& r) {
   const Reading reading = best_reading(fitted.terms, r.bands, r.tolerance);
   r.convention = reading.convention;

@@ -3,7 +3,6 @@
 #include <zonal/convention/diagnose.hpp>
 
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <functional>
 #include <random>

@@ -119,7 +119,7 @@ inline void name_faults(const Fit& fitted, Diagnosis& r) {
 /// A term counts as wrong from a relative difference of 1e-5 on, or of 20 times the noise. Named conventions with noise
 /// of up to 1e-5 of their values are recognised, and so are single faults down to the tolerance. 2 bands leave it open
 /// whether a sign is wrong or an axis points the other way. Throws std::invalid_argument where there are not enough
-/// directions, or numbers (refuse.hpp). 3 ms at 5 bands, 50 ms at 10, 1.6 s at 20.
+/// directions, or numbers (refuse.hpp). 4 to 6 ms at 5 bands, 50 to 80 ms at 10, 1.6 to 2.9 s at 20.
 inline Diagnosis diagnose(int bands, const std::vector<Direction>& directions, const std::vector<double>& values) {
   using namespace detail::doctor;
   check_input(bands, directions, values);

@@ -74,19 +74,19 @@ void run_on_all(KernelData<T>& data) {
   }
 }
 
-/// A benchmark of an entry in one scalar.
-template <class Entry, int N, class T>
-Benchmark* register_kernel(const std::function<KernelFacts()>& facts, const Effort& effort) {
-  const auto body = [facts](benchmark::State& state) {
-    const KernelFacts of_entry = facts();
-    KernelData<T> data = draw_data<T>(of_entry, N);
-    for (auto _ : state) run_on_all<Entry, N>(data);
-    set_counters(state, of_entry.count, data.runs * Scalar<T>::lanes, Scalar<T>::lanes);
-    state.counters[fused_counter] = of_entry.count.fused;
+/// A benchmark of a kernel in one scalar, by its loop.
+template <class T>
+Benchmark* register_kernel(const char* name, int bands, void (*run_on_all)(KernelData<T>&), const Effort& effort) {
+  const auto body = [=](benchmark::State& state) {
+    const KernelFacts facts = find_facts(name, bands);
+    KernelData<T> data = draw_data<T>(facts, bands);
+    for (auto _ : state) run_on_all(data);
+    set_counters(state, facts.count, data.runs * Scalar<T>::lanes, Scalar<T>::lanes);
+    state.counters[fused_counter] = facts.count.fused;
     state.counters[loads_counter] = static_cast<double>(data.input_size);
     state.counters[stores_counter] = static_cast<double>(data.outputs.size());
   };
-  return register_benchmark(Entry::name, N, Scalar<T>::name, body, effort);
+  return register_benchmark(name, bands, Scalar<T>::name, body, effort);
 }
 
 /// Registers each kernel that it is called with, for the three scalars.
@@ -102,8 +102,7 @@ struct RegisterKernel {
 
   template <class Kernel, class T>
   void add() const {
-    register_kernel<typename Kernel::Entry, Kernel::bands, T>([] { return find_facts(Kernel::name, Kernel::bands); },
-                                                              effort);
+    register_kernel<T>(Kernel::name, Kernel::bands, run_on_all<typename Kernel::Entry, Kernel::bands, T>, effort);
   }
 };
 

@@ -166,15 +166,23 @@ template <int N, class T>
 void check_sink_form() {
   for (const auto& v : directions_and_poles<T>(300, 36)) {
     const auto rows = zonal::evaluate_with_gradient<N>(v);
-    zonal::evaluate_with_gradient<N>(
-        v[0], v[1], v[2], [&](auto l, auto m, const T& value, const T& gx, const T& gy, const T& gz) {
-          const T unit = static_cast<T>(4 * steepest_of_degree(l)) * std::numeric_limits<T>::epsilon();
-          CAPTURE(N, int{l}, int{m}, v[0], v[1], v[2]);
-          REQUIRE(value == rows.value(l, m));
-          REQUIRE(std::abs(gx - rows.gradient[0](l, m)) <= unit);
-          REQUIRE(std::abs(gy - rows.gradient[1](l, m)) <= unit);
-          REQUIRE(std::abs(gz - rows.gradient[2](l, m)) <= unit);
-        });
+    zonal::ShGradient<N, T> handed;
+    zonal::evaluate_with_gradient<N>(v[0], v[1], v[2],
+                                     [&](auto l, auto m, const T& value, const T& gx, const T& gy, const T& gz) {
+                                       handed.value(l, m) = value;
+                                       handed.gradient[0](l, m) = gx, handed.gradient[1](l, m) = gy;
+                                       handed.gradient[2](l, m) = gz;
+                                     });
+    for (int l = 0; l < N; ++l) {
+      for (int m = -l; m <= l; ++m) {
+        const T unit = static_cast<T>(4 * steepest_of_degree(l)) * std::numeric_limits<T>::epsilon();
+        CAPTURE(N, l, m, v[0], v[1], v[2]);
+        REQUIRE(handed.value(l, m) == rows.value(l, m));
+        for (int k = 0; k < 3; ++k) {
+          REQUIRE(std::abs(handed.gradient[k](l, m) - rows.gradient[k](l, m)) <= unit);
+        }
+      }
+    }
   }
 }
 

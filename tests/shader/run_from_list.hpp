@@ -8,10 +8,14 @@
 
 #include "cpp_functions.hpp"
 
+/// Hands over numbers in their order.
+inline zonal::kernels::DescribingIo<float>::Source one_by_one(const std::vector<float>& numbers) {
+  return [&numbers, next = std::size_t{0}](const zonal::shader::Parameter&) mutable { return numbers.at(next++); };
+}
+
 template <class Entry, int N>
 std::vector<float> run_entry(int order, const std::vector<float>& inputs) {
-  std::size_t next = 0;
-  zonal::kernels::DescribingIo<float> io([&](const zonal::shader::Parameter&) { return inputs.at(next++); }, order);
+  zonal::kernels::DescribingIo<float> io(one_by_one(inputs), order);
   Entry::template run<N>(io);
   return io.outputs();
 }

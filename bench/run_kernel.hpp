@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 #include <zonal/kernels/plain_io.hpp>
@@ -74,19 +73,28 @@ void run_on_all(KernelData<T>& data) {
   }
 }
 
-/// A benchmark of a kernel in one scalar, by its loop.
+using GiveFacts = KernelFacts (*)();
+
+/// A benchmark by its loop.
 template <class T>
-Benchmark* register_kernel(const char* name, int bands, void (*run_on_all)(KernelData<T>&), const Effort& effort) {
+Benchmark* register_loop(const char* name, int bands, void (*loop)(KernelData<T>&), GiveFacts facts,
+                         const Effort& effort) {
   const auto body = [=](benchmark::State& state) {
-    const KernelFacts facts = find_facts(name, bands);
-    KernelData<T> data = draw_data<T>(facts, bands);
-    for (auto _ : state) run_on_all(data);
-    set_counters(state, facts.count, data.runs * Scalar<T>::lanes, Scalar<T>::lanes);
-    state.counters[fused_counter] = facts.count.fused;
+    const KernelFacts of_entry = facts();
+    KernelData<T> data = draw_data<T>(of_entry, bands);
+    for (auto _ : state) loop(data);
+    set_counters(state, of_entry.count, data.runs * Scalar<T>::lanes, Scalar<T>::lanes);
+    state.counters[fused_counter] = of_entry.count.fused;
     state.counters[loads_counter] = static_cast<double>(data.input_size);
     state.counters[stores_counter] = static_cast<double>(data.outputs.size());
   };
   return register_benchmark(name, bands, Scalar<T>::name, body, effort);
+}
+
+/// A benchmark of an entry in one scalar.
+template <class Entry, int N, class T>
+Benchmark* register_kernel(GiveFacts facts, const Effort& effort) {
+  return register_loop<T>(Entry::name, N, run_on_all<Entry, N, T>, facts, effort);
 }
 
 /// Registers each kernel that it is called with, for the three scalars.
@@ -102,7 +110,8 @@ struct RegisterKernel {
 
   template <class Kernel, class T>
   void add() const {
-    register_kernel<T>(Kernel::name, Kernel::bands, run_on_all<typename Kernel::Entry, Kernel::bands, T>, effort);
+    register_kernel<typename Kernel::Entry, Kernel::bands, T>([] { return find_facts(Kernel::name, Kernel::bands); },
+                                                              effort);
   }
 };
 

@@ -20,8 +20,8 @@ zonal_test_packages=(
 zonal_say() { printf '[zonal] %s\n' "$*"; }
 zonal_fail() { printf '[zonal] %s\n' "$*" >&2; exit 1; }
 
-# One compilation takes up to 1.5 GiB.
-zonal_jobs="$(awk -v cores="$(nproc)" '/^MemAvailable:/ { jobs = int($2 / 1572864) }
+# One compilation takes up to 1.8 GiB.
+zonal_jobs="$(awk -v cores="$(nproc)" '/^MemAvailable:/ { jobs = int($2 / 1887437) }
   END { if (jobs < 1) jobs = 1; print (jobs < cores ? jobs : cores) }' /proc/meminfo)"
 
 zonal_installed() { [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }

@@ -166,7 +166,7 @@ template <int N, class T>
 void check_sink_form() {
   for (const auto& v : directions_and_poles<T>(300, 36)) {
     const auto rows = zonal::evaluate_with_gradient<N>(v);
-    zonal::ShGradient<N, T> handed;
+    zonal::ShGradient<N, T> handed{};
     zonal::evaluate_with_gradient<N>(v[0], v[1], v[2],
                                      [&](auto l, auto m, const T& value, const T& gx, const T& gy, const T& gz) {
                                        handed.value(l, m) = value;

@@ -1,5 +1,4 @@
-# Two translation units of different -m flags in one program, either way round and in both link orders; without
-# optimisation, so that the linker chooses among all functions.
+# Two translation units of different -m flags in one program, either way round and in both link orders.
 set(vectors -mavx2 -mfma)
 execute_process(COMMAND ${compiler} ${vectors} -x c++ -E - INPUT_FILE /dev/null RESULT_VARIABLE unknown
   OUTPUT_QUIET ERROR_QUIET)
@@ -19,8 +18,8 @@ string(REPLACE "|" ";-idirafter" system_dirs "${system_dirs}")  # not -isystem, 
 file(MAKE_DIRECTORY ${work_dir})
 foreach(unit main build)
   foreach(target plain vectors)
-    execute_process(COMMAND_ERROR_IS_FATAL ANY COMMAND ${compiler} -std=c++17 -O0 -DZONAL_INLINE= ${${target}}
-      -I${include_dir} ${system_dirs} -c ${source_dir}/${unit}.cpp -o ${work_dir}/${unit}_${target}.o)
+    execute_process(COMMAND_ERROR_IS_FATAL ANY COMMAND ${compiler} -std=c++17 -O1 ${${target}} -I${include_dir}
+      ${system_dirs} -c ${source_dir}/${unit}.cpp -o ${work_dir}/${unit}_${target}.o)
   endforeach()
 endforeach()
 foreach(objects "main_plain build_vectors" "build_vectors main_plain" "main_vectors build_plain"
